@@ -1,0 +1,141 @@
+// The options of each command, and which error ends the program with which status.
+#include "cli/program.hpp"
+
+#include "cli/errors.hpp"
+#include "cli/run_command.hpp"
+#include "cli/scene_list.hpp"
+#include "scenes/parameters.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <carom/version.hpp>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+namespace carom::cli
+{
+
+namespace
+{
+
+const char* const examples = R"(
+Examples:
+  carom scenes
+  carom run collisions --set circles=1000 --set boxes=1000 --still collisions.png
+  carom run gravity --steps 600 --animation gravity.mp4)";
+
+const char* const run_notes = R"(
+--input FILE is a JSON array of events, each with the step before which it happens (from 0) and a key, or a
+pointer action at a place in the world in metres:
+  [{"step": 10, "pointer": "down", "button": "left", "x": 1.0, "y": 2.0},
+   {"step": 20, "pointer": "move", "x": 3.0, "y": 2.5},
+   {"step": 25, "pointer": "wheel", "wheel": 2, "x": 3.0, "y": 2.5},
+   {"step": 40, "key": "b"}]
+Actions are down, up, move and wheel; buttons are left, middle and right. `carom scenes` lists each scene's keys.
+
+Times are those of the world's own steps. An animation is drawn in a run of its own and does not slow them down.
+Exit status: 0 done, 1 failed, 2 bad usage.)";
+
+/// Refuses what is not a whole number from `min` to `max`. CLI11 by itself takes -1 for the largest unsigned number.
+CLI::Validator whole_number(std::uint64_t min, std::uint64_t max)
+{
+    const std::string remedy = "give a whole number from " + std::to_string(min) + " to " + std::to_string(max);
+    const auto check = [=](const std::string& text)
+    {
+        std::uint64_t number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool fits = error == std::errc{} && end == text.data() + text.size() && min <= number && number <= max;
+        return fits ? std::string() : "\"" + text + "\" does not fit; " + remedy;
+    };
+    return {check, "", "whole number"};
+}
+
+void add_scenes_command(CLI::App& app, const Surroundings& surroundings)
+{
+    CLI::App* const command = app.add_subcommand("scenes", "List the scenes with their parameters and controls");
+    const auto is_json = std::make_shared<bool>(false);
+    command->add_flag("--json", *is_json, "Print one JSON array");
+    command->callback([is_json, &surroundings] { surroundings.out << (*is_json ? scenes_json().dump(2) + "\n" : scenes_text()); });
+}
+
+void add_run_command(CLI::App& app, const Surroundings& surroundings)
+{
+    CLI::App* const command = app.add_subcommand("run", "Run a scene without a window and measure it");
+    const auto request = std::make_shared<RunRequest>();
+    command->add_option("scene", request->scene, "Name of the scene; `carom scenes` lists them")->required();
+    command->add_option("--set", request->settings, "Set a parameter of the scene; may be given again")
+        ->type_name("NAME=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--steps", request->steps, "Number of steps")
+        ->type_name("N")
+        ->check(whole_number(1, most_steps))
+        ->capture_default_str();
+    command->add_option("--seed", request->seed, "Equal seeds give equal runs")
+        ->type_name("S")
+        ->check(whole_number(0, UINT64_MAX))
+        ->capture_default_str();
+    command->add_option("--broadphase", request->broad_phase, "BruteForce, QuadtreeNaive, Quadtree or Tree")->type_name("NAME");
+    command->add_option("--input", request->input, "Pointer and key events to give to the scene")->type_name("FILE");
+    command->add_flag("--json", request->is_json, "Print one JSON object");
+    command->add_option("--still", request->still, "Draw the last step into a picture")->type_name("FILE.png");
+    command->add_option("--animation", request->animation, "Draw the run into FILE.mp4, .webm or .gif; needs ffmpeg")->type_name("FILE");
+    command->footer(run_notes);
+    command->callback([request, &surroundings] { run_command(*request, surroundings); });
+}
+
+/// CLI11's own words, but for a command that is missing or misnamed: it calls both a missing subcommand.
+std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& arguments)
+{
+    const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty();
+    if (!lacks_command) return error.what();
+    const bool is_misnamed = !arguments.empty() && !arguments.front().starts_with('-');
+    return (is_misnamed ? "there is no command \"" + arguments.front() + "\"" : "a command is missing") + "; give scenes or run";
+}
+
+int report(const Surroundings& surroundings, const std::exception& error, int status)
+{
+    surroundings.err << "carom: " << error.what() << "\n";
+    return status;
+}
+
+} // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings)
+{
+    CLI::App app("Carom, a 2D rigid-body physics engine: runs its scenes without a window.", "carom");
+    app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
+    app.require_subcommand(1);
+    app.footer(examples);
+    add_scenes_command(app, surroundings);
+    add_run_command(app, surroundings);
+    try
+    {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse
+        surroundings.out.flush();
+        if (!surroundings.out) throw Failure("can't write the output");
+        return 0;
+    }
+    catch (const CLI::Success& help_or_version)
+    {
+        return app.exit(help_or_version, surroundings.out, surroundings.err);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return report(surroundings, BadUsage(problem_of(error, app, arguments) + "; --help tells more"), status_bad_usage);
+    }
+    catch (const BadUsage& error)
+    {
+        return report(surroundings, error, status_bad_usage);
+    }
+    catch (const scenes::SceneError& error)
+    {
+        return report(surroundings, error, status_bad_usage);
+    }
+    catch (const std::exception& error)
+    {
+        return report(surroundings, error, status_failed);
+    }
+}
+
+} // namespace carom::cli

@@ -1,0 +1,236 @@
+// The command line as a person uses it, without starting a process.
+#include "cli/program.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <unistd.h>
+
+namespace carom::cli
+{
+
+using nlohmann::json;
+
+namespace
+{
+
+struct Outcome
+{
+    int status;
+    std::string out;
+    std::string err;
+};
+
+Outcome carom(const std::vector<std::string>& arguments, bool is_terminal = false)
+{
+    std::ostringstream out;
+    std::ostringstream err;
+    const int status = run_program(arguments, {out, err, is_terminal});
+    return {status, out.str(), err.str()};
+}
+
+/// An empty folder that goes away with the test.
+class Program : public testing::Test
+{
+protected:
+    Program() { std::filesystem::create_directory(folder_); }
+    ~Program() override { std::filesystem::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    std::vector<std::string> files() const
+    {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_)) names.push_back(entry.path().filename());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("carom_program_test_" + std::to_string(getpid()));
+};
+
+bool starts_with(const std::string& path, std::string_view bytes)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string start(bytes.size(), '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start == bytes;
+}
+
+} // namespace
+
+TEST_F(Program, lists_scenes_as_json)
+{
+    const Outcome outcome = carom({"scenes", "--json"});
+    EXPECT_EQ(outcome.status, 0);
+    const json scenes = json::parse(outcome.out);
+    ASSERT_EQ(scenes.size(), 4u);
+    const auto collisions = std::find_if(scenes.begin(), scenes.end(), [](const json& s) { return s["name"] == "collisions"; });
+    ASSERT_NE(collisions, scenes.end());
+    const json circles = (*collisions)["parameters"][0];
+    EXPECT_EQ(circles["name"], "circles");
+    EXPECT_EQ(circles["kind"], "integer");
+    EXPECT_EQ(circles["default"], 500);
+    EXPECT_EQ(circles["range"], json({0, 20000}));
+    EXPECT_FALSE((*collisions)["controls"].empty());
+}
+
+TEST_F(Program, lists_scenes_for_people)
+{
+    const Outcome outcome = carom({"scenes"});
+    EXPECT_EQ(outcome.status, 0);
+    for (const char* text : {"planets", "triggers", "collisions", "gravity", "circles=500", "an integer from 0 to 20000", "key f"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
+}
+
+TEST_F(Program, runs_a_scene_and_prints_one_object)
+{
+    const Outcome outcome =
+        carom({"run", "collisions", "--set", "circles=50", "--set", "boxes=30", "--steps", "40", "--seed", "3", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const json run = json::parse(outcome.out);
+    EXPECT_EQ(run["scene"], "collisions");
+    EXPECT_EQ(run["parameters"]["circles"], 50);
+    EXPECT_EQ(run["parameters"]["cover"], 34.0);
+    EXPECT_EQ(run["seed"], 3);
+    EXPECT_EQ(run["steps"], 40);
+    EXPECT_EQ(run["bodies"], 81);
+    EXPECT_EQ(run["shapes"], 84);
+    EXPECT_EQ(run["hash"].get<std::string>().size(), 16u);
+    EXPECT_GT(run["step_ms"]["mean"], 0);
+    EXPECT_EQ(run["stage_ms"].size(), 12u);
+    EXPECT_GT(run["memory"]["bytes"], 0);
+    for (const char* key : {"pairs", "contacts", "events", "version", "compiler", "build_type", "broad_phase"})
+        EXPECT_TRUE(run.contains(key)) << key;
+}
+
+TEST_F(Program, the_broad_phase_does_not_change_the_hash)
+{
+    const auto hash_with = [](const std::string& name)
+    { return json::parse(carom({"run", "gravity", "--steps", "30", "--json", "--broadphase", name}).out)["hash"]; };
+    const json expected = hash_with("tree");
+    for (const char* name : {"bruteforce", "QuadtreeNaive", "QUADTREE"}) EXPECT_EQ(hash_with(name), expected) << name;
+}
+
+TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
+{
+    const struct
+    {
+        std::vector<std::string> arguments;
+        const char* message;
+    } cases[] = {
+        {{}, "a command is missing; give scenes or run"},
+        {{"walk"}, "there is no command \"walk\"; give scenes or run"},
+        {{"run"}, "scene"},
+        {{"run", "colisions"}, "did you mean collisions?"},
+        {{"run", "gravity", "--steps", "0"}, "--steps: \"0\" does not fit; give a whole number from 1 to 10000000"},
+        {{"run", "gravity", "--steps", "-5"}, "-5"},
+        {{"run", "gravity", "--steps", "99999999999999999999"}, "--steps"},
+        {{"run", "gravity", "--steps", "ten"}, "ten"},
+        {{"run", "gravity", "--steps", "1.5"}, "1.5"},
+        {{"run", "gravity", "--seed", "-1"}, "--seed: \"-1\" does not fit; give a whole number from 0 to 18446744073709551615"},
+        {{"run", "gravity", "--seed", "1x"}, "--seed"},
+        {{"run", "gravity", "--set", "size"}, "give NAME=VALUE"},
+        {{"run", "gravity", "--set", "size=9"}, "size: 9 is out of range; give a number from 0.2 to 5 m"},
+        {{"run", "gravity", "--set", "sise=1"}, "did you mean size?"},
+        {{"run", "gravity", "--set", "=1"}, "no such parameter"},
+        {{"run", "gravity", "--broadphase", "Octree"}, "one of Tree, Quadtree, QuadtreeNaive, BruteForce"},
+        {{"run", "gravity", "--input", "/no/such/file"}, "/no/such/file"},
+        {{"run", "gravity", "--still", "/no/such/folder/a.png"}, "/no/such/folder/a.png"},
+        {{"run", "gravity", "--still", "a.jpg"}, ".png"},
+        {{"run", "gravity", "--animation", "a.avi"}, ".mp4, .webm or .gif"},
+        {{"run", "gravity", "--animation", "/tmp"}, ".mp4"},
+        {{"run", "collisions", "--set", "cover=80"}, "give less"},
+        {{"run", "gravity", "--frames", "3"}, "--frames"},
+    };
+    for (const auto& one : cases)
+    {
+        const Outcome outcome = carom(one.arguments);
+        const std::string line = one.arguments.empty() ? "" : one.arguments.back();
+        EXPECT_EQ(outcome.status, 2) << line;
+        EXPECT_EQ(outcome.out, "") << line;
+        EXPECT_NE(outcome.err.find(one.message), std::string::npos) << line << ": " << outcome.err;
+    }
+}
+
+TEST_F(Program, help_and_version_succeed)
+{
+    EXPECT_EQ(carom({"--help"}).status, 0);
+    EXPECT_NE(carom({"run", "--help"}).out.find("--broadphase"), std::string::npos);
+    EXPECT_EQ(carom({"--version"}).out, "carom 0.1.0\n");
+}
+
+TEST_F(Program, input_changes_the_run)
+{
+    std::ofstream(file("events.json")) << R"([{"step": 5, "key": "c"}])";
+    const json run = json::parse(carom({"run", "gravity", "--steps", "10", "--json", "--input", file("events.json")}).out);
+    EXPECT_EQ(run["bodies"], 1);
+}
+
+TEST_F(Program, draws_a_still)
+{
+    EXPECT_EQ(carom({"run", "triggers", "--steps", "5", "--still", file("a.png")}).status, 0);
+    EXPECT_TRUE(starts_with(file("a.png"), "\x89PNG"));
+    EXPECT_EQ(files(), std::vector<std::string>{"a.png"});
+}
+
+TEST_F(Program, draws_an_animation_that_does_not_change_the_run)
+{
+    if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    const std::vector<std::string> plain = {"run", "gravity", "--steps", "12", "--json"};
+    std::vector<std::string> animated = plain;
+    animated.insert(animated.end(), {"--animation", file("a.gif")});
+    const Outcome outcome = carom(animated);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(starts_with(file("a.gif"), "GIF89a"));
+    EXPECT_EQ(json::parse(outcome.out)["hash"], json::parse(carom(plain).out)["hash"]);
+    EXPECT_EQ(files(), std::vector<std::string>{"a.gif"});
+}
+
+TEST_F(Program, says_when_ffmpeg_is_missing_and_leaves_nothing)
+{
+    const std::string path = getenv("PATH");
+    setenv("PATH", folder_.c_str(), 1);
+    const Outcome outcome = carom({"run", "gravity", "--steps", "2", "--animation", file("a.mp4")});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("ffmpeg was not found"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Program, says_what_a_failing_ffmpeg_said)
+{
+    std::ofstream(file("ffmpeg")) << "#!/bin/sh\necho no such codec >&2\nexit 1\n";
+    std::filesystem::permissions(file("ffmpeg"), std::filesystem::perms::owner_all);
+    const std::string path = getenv("PATH");
+    setenv("PATH", folder_.c_str(), 1);
+    const Outcome outcome = carom({"run", "gravity", "--steps", "40", "--animation", file("a.mp4")});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("ffmpeg failed: no such codec"), std::string::npos) << outcome.err;
+    EXPECT_EQ(files(), std::vector<std::string>{"ffmpeg"});
+}
+
+TEST_F(Program, an_older_picture_stays_when_a_run_fails)
+{
+    std::ofstream(file("a.png")) << "older";
+    EXPECT_EQ(carom({"run", "gravity", "--steps", "2", "--still", file("a.png"), "--set", "size=-1"}).status, 2);
+    EXPECT_TRUE(starts_with(file("a.png"), "older"));
+}
+
+TEST_F(Program, progress_shows_on_a_terminal_only)
+{
+    const std::vector<std::string> arguments = {"run", "collisions", "--steps", "1500"};
+    EXPECT_EQ(carom(arguments, false).err, "");
+    const std::string shown = carom(arguments, true).err;
+    if (!shown.empty())
+    {
+        EXPECT_NE(shown.find(" left"), std::string::npos);
+    } // a fast machine is done before the first line
+}
+
+} // namespace carom::cli

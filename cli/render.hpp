@@ -1,0 +1,48 @@
+// Draws what a scene shows into a picture in memory, with Cairo.
+#pragma once
+
+#include "scenes/camera.hpp"
+#include "scenes/draw_list.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+struct _cairo;
+struct _cairo_surface;
+
+namespace carom::cli
+{
+
+/// A picture that can be drawn again and again.
+class Canvas
+{
+public:
+    /// @throws Failure when there is no memory for it
+    explicit Canvas(scenes::Viewport size);
+
+    scenes::Viewport size() const { return size_; }
+    /// Paints over all that was there.
+    void draw(const scenes::DrawList& list, const scenes::Camera& camera);
+    /// Rows from the top; each pixel is blue, green, red, and a byte without meaning.
+    std::span<const std::byte> pixels();
+    /// @throws Failure
+    void write_png(const std::filesystem::path& path);
+
+private:
+    struct Release
+    {
+        void operator()(_cairo_surface* surface) const;
+        void operator()(_cairo* context) const;
+    };
+
+    void draw_layer(const scenes::DrawnLayer& layer, const scenes::Camera& camera);
+    void draw_texts(const scenes::DrawList& list, const scenes::Camera& camera);
+
+    scenes::Viewport size_;
+    std::unique_ptr<_cairo_surface, Release> surface_;
+    std::unique_ptr<_cairo, Release> context_;
+};
+
+} // namespace carom::cli

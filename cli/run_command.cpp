@@ -1,0 +1,140 @@
+// The passes of a run: one to draw the animation, one to measure.
+#include "cli/run_command.hpp"
+
+#include "cli/encoder.hpp"
+#include "cli/errors.hpp"
+#include "cli/input_script.hpp"
+#include "cli/pending_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/render.hpp"
+#include "cli/run_report.hpp"
+#include "lab/runner.hpp"
+#include "scenes/registry.hpp"
+#include "scenes/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace carom::cli
+{
+
+using scenes::Scene;
+using scenes::SceneInfo;
+
+namespace
+{
+
+constexpr scenes::Viewport still_size{1280, 720};
+constexpr float animation_rate = 30; // pictures a second, about
+
+scenes::ParameterValues values_from(const RunRequest& request, const SceneInfo& scene)
+{
+    scenes::ParameterValues values;
+    for (const std::string& setting : request.settings)
+    {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
+        const std::string name = setting.substr(0, equals);
+        values.emplace_back(name, parsed(find_parameter(scene.parameters, name), setting.substr(equals + 1)));
+    }
+    if (request.broad_phase)
+        values.emplace_back("broad_phase", parsed(find_parameter(scene.parameters, "broad_phase"), *request.broad_phase));
+    return values;
+}
+
+/// Before any work is done.
+void check_formats(const RunRequest& request)
+{
+    if (request.animation) animation_format_of(*request.animation);
+    if (request.still && scenes::lower_case(std::filesystem::path(*request.still).extension().string()) != ".png")
+        throw BadUsage("--still: \"" + *request.still + "\" has an unknown format; give a name that ends in .png");
+}
+
+std::optional<PendingFile> pending(const char* option, const std::optional<std::string>& path)
+{
+    return path ? std::optional<PendingFile>(std::in_place, option, *path) : std::nullopt;
+}
+
+void draw(const Scene& scene, scenes::DrawList& list, Canvas& canvas)
+{
+    list.clear();
+    scene.draw(list);
+    canvas.draw(list, scene.camera());
+}
+
+/// What the passes over a scene share.
+struct Job
+{
+    const RunRequest& request;
+    scenes::ParameterValues values;
+    InputScript input;
+    Progress progress;
+
+    std::unique_ptr<Scene> make() const { return scenes::make_scene(request.scene, values, request.seed); }
+};
+
+/// Draws every step that a picture shows, so that it plays in real time.
+/// @return the hash of the world at the end
+std::uint64_t animate(Job& job, const PendingFile& file)
+{
+    const std::unique_ptr<Scene> scene = job.make();
+    const AnimationFormat format = animation_format_of(file.path());
+    const float step_rate = 1 / scene->time_step();
+    const int steps_per_frame = std::max(1, static_cast<int>(std::lround(step_rate / animation_rate)));
+    Encoder encoder(file.temporary(), format, animation_size(format), static_cast<double>(step_rate) / steps_per_frame);
+    Canvas canvas(animation_size(format));
+    scenes::DrawList list;
+
+    for (int step = 0; step < job.request.steps; ++step)
+    {
+        job.input.apply(*scene, step);
+        scene->step();
+        job.progress.advance();
+        if (step % steps_per_frame != 0) continue;
+        draw(*scene, list, canvas);
+        encoder.add_frame(canvas.pixels());
+    }
+    encoder.finish();
+    return scene->world().hash();
+}
+
+lab::RunResult measure(Job& job, Scene& scene, const Surroundings& surroundings)
+{
+    return lab::run(scene, {.steps = job.request.steps, .before_step = [&](Scene& s, int step) {
+        job.input.apply(s, step);
+    }, .after_step = [&](const Scene&, int) { job.progress.advance(); }, .heap_allocations = surroundings.heap_allocations});
+}
+
+} // namespace
+
+void run_command(const RunRequest& request, const Surroundings& surroundings)
+{
+    const SceneInfo& info = scenes::find_scene(request.scene);
+    check_formats(request);
+    const int passes = request.animation ? 2 : 1;
+    Job job{request, values_from(request, info), request.input ? InputScript::read(*request.input, info) : InputScript(),
+            Progress(surroundings.err, surroundings.err_is_terminal, passes * request.steps)};
+    const std::unique_ptr<Scene> scene = job.make();
+    std::optional<PendingFile> still = pending("--still", request.still);
+    std::optional<PendingFile> animation = pending("--animation", request.animation);
+
+    // The animation is drawn in a pass of its own, since drawing between the steps would slow them down.
+    const std::optional<std::uint64_t> drawn_hash = animation ? std::optional(animate(job, *animation)) : std::nullopt;
+    const lab::RunResult result = measure(job, *scene, surroundings);
+    if (drawn_hash && drawn_hash != result.hash) throw Failure("two runs of the same scene ended differently; please report this bug");
+
+    if (still)
+    {
+        Canvas canvas(still_size);
+        scenes::DrawList list;
+        draw(*scene, list, canvas);
+        canvas.write_png(still->temporary());
+        still->commit();
+    }
+    if (animation) animation->commit();
+    job.progress.clear();
+    surroundings.out << (request.is_json ? run_json(*scene, result).dump(2) + "\n" : run_table(*scene, result));
+}
+
+} // namespace carom::cli

@@ -1,0 +1,33 @@
+// `carom run`: runs a scene without a window, measures it, and draws it when asked to.
+#pragma once
+
+#include "cli/program.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom::cli
+{
+
+/// What the command line says.
+struct RunRequest
+{
+    std::string scene;
+    std::vector<std::string> settings; ///< each NAME=VALUE
+    int steps = 600;
+    std::uint64_t seed = 1;
+    std::optional<std::string> broad_phase;
+    std::optional<std::string> input;
+    std::optional<std::string> still;
+    std::optional<std::string> animation;
+    bool is_json = false;
+};
+
+inline constexpr int most_steps = 10'000'000; ///< a run keeps the time of each step
+
+/// @throws BadUsage, Failure, or the scene's own errors
+void run_command(const RunRequest& request, const Surroundings& surroundings);
+
+} // namespace carom::cli

@@ -1,0 +1,29 @@
+// Which broad phase a world uses to find the shapes that are near each other. All find the same pairs.
+#pragma once
+
+#include <string_view>
+
+namespace carom
+{
+
+enum class BroadPhaseType
+{
+    BruteForce,    ///< every pair: the reference
+    QuadtreeNaive, ///< a shape in every node that it touches, pairs in a hash set: what one writes first
+    Quadtree,      ///< a flat quadtree, a shape once in the deepest node that holds it
+    Tree           ///< a wide tree of bounding boxes: the default and the fastest
+};
+
+/// "BruteForce", "QuadtreeNaive", "Quadtree", "Tree".
+std::string_view name_of(BroadPhaseType type);
+
+/// Options of the two quadtrees; the others do not read them.
+struct BroadPhaseOptions
+{
+    int quadtree_max_depth = 5;      ///< levels below the root, 0 to 10
+    int quadtree_node_capacity = 8;  ///< shapes in a node before it divides, >= 1
+
+    friend bool operator==(const BroadPhaseOptions&, const BroadPhaseOptions&) = default;
+};
+
+} // namespace carom

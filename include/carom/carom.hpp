@@ -1,0 +1,15 @@
+// Everything that Carom offers.
+#pragma once
+
+#include <carom/body.hpp>
+#include <carom/broad_phase.hpp>
+#include <carom/debug_draw.hpp>
+#include <carom/error.hpp>
+#include <carom/events.hpp>
+#include <carom/fields.hpp>
+#include <carom/ids.hpp>
+#include <carom/math.hpp>
+#include <carom/report.hpp>
+#include <carom/shape.hpp>
+#include <carom/version.hpp>
+#include <carom/world.hpp>

@@ -1,0 +1,76 @@
+// What happened in a step: contacts and sensor overlaps that began, went on, or ended.
+#pragma once
+
+#include <carom/ids.hpp>
+#include <carom/math.hpp>
+
+#include <array>
+#include <span>
+
+namespace carom
+{
+
+/// One point of a contact.
+struct ContactPoint
+{
+    Vec2 position;              ///< in the world, halfway between the two surfaces [m]
+    float separation = 0;       ///< distance of the surfaces, negative when they overlap [m]
+    float normal_impulse = 0;   ///< total along the normal in the last step [N s], >= 0
+    float tangent_impulse = 0;  ///< total along the surface in the last step [N s]
+    float approach_speed = 0;   ///< speed at which the surfaces met at the start of the step, positive when approaching [m/s]
+    std::uint32_t feature = 0;  ///< which corners or edges made the point; equal from step to step while they stay the same
+};
+
+/// Where two shapes touch or nearly touch.
+struct Manifold
+{
+    Vec2 normal;                        ///< unit, from shape A to shape B
+    std::array<ContactPoint, 2> points; ///< the first `point_count` are in use
+    int point_count = 0;                ///< 0 to 2
+    float rolling_impulse = 0;          ///< angular impulse of rolling resistance in the last step [N m s]
+};
+
+/// Two shapes touch since this step: their surfaces met, or the solver had to push them apart.
+struct ContactBegin
+{
+    ShapeId shape_a;
+    ShapeId shape_b;
+    Manifold manifold;
+};
+
+/// Two shapes touched in the step before, and still do. Reported when either shape asks for it.
+struct ContactPersist
+{
+    ShapeId shape_a;
+    ShapeId shape_b;
+    Manifold manifold;
+};
+
+/// Two shapes no longer touch. An id is stale when the end came by destroying its shape.
+struct ContactEnd
+{
+    ShapeId shape_a;
+    ShapeId shape_b;
+};
+
+/// A shape overlaps a sensor: since this step, still, or no longer, by the list that holds it. Two sensors that
+/// overlap make two events, one for each as the sensor. In the end list an id may be stale.
+struct SensorEvent
+{
+    ShapeId sensor;
+    ShapeId visitor;
+};
+
+/// The events of the last step, each list ordered by the ids' indices, so that equal runs give equal lists. Ends that come from
+/// destroying, disabling or editing between two steps are in the lists of the later step. Valid until the world's next step.
+struct Events
+{
+    std::span<const ContactBegin> contact_begin;
+    std::span<const ContactPersist> contact_persist;
+    std::span<const ContactEnd> contact_end;
+    std::span<const SensorEvent> sensor_begin;
+    std::span<const SensorEvent> sensor_persist;
+    std::span<const SensorEvent> sensor_end;
+};
+
+} // namespace carom

@@ -1,0 +1,59 @@
+// What a step did and how long each of its stages took.
+#pragma once
+
+#include <carom/ids.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace carom
+{
+
+/// The stages of World::step, in their order.
+enum class Stage
+{
+    FindPairs,           ///< broad phase: new pairs of near shapes
+    UpdateManifolds,     ///< narrow phase: where pairs touch
+    BuildRows,           ///< colours contacts and gathers what the solver needs
+    IntegrateVelocities, ///< gravity, forces, damping
+    WarmStart,           ///< applies the impulses of the substep before
+    Solve,               ///< contact rows with bias against overlap
+    IntegratePositions,  ///< moves bodies
+    Relax,               ///< contact rows without bias, with friction
+    Restitution,         ///< bounces
+    StoreImpulses,       ///< keeps impulses for the next step
+    FinalizeBodies,      ///< transforms, bounds, quarantine
+    EmitEvents           ///< contacts and overlaps that began, persist, ended
+};
+inline constexpr int stage_count = 12;
+
+/// "find pairs", "update manifolds", ...
+std::string_view name_of(Stage stage);
+
+/// What World::step did.
+struct StepReport
+{
+    double seconds = 0;                                ///< wall time of the whole step [s]
+    std::array<double, stage_count> stage_seconds = {}; ///< wall time by stage, over all substeps [s]
+
+    int bodies = 0;          ///< in the world
+    int shapes = 0;          ///< in the world
+    int pairs = 0;           ///< pairs of shapes whose fattened bounds overlap
+    int contacts = 0;        ///< of those, pairs that touch: contacts with at least a point, and sensor overlaps
+    int rows = 0;            ///< contacts that the solver worked on
+    int colors = 0;          ///< groups of independent contacts that it made of them
+    int overflow_rows = 0;   ///< contacts that found no colour and were solved one by one
+
+    std::size_t bytes = 0;       ///< memory in use by the world [bytes]
+    std::size_t peak_bytes = 0;  ///< most that was ever in use [bytes]
+    std::size_t allocations = 0; ///< requests to the world's memory resource during this step
+
+    /// Bodies whose state became infinite, NaN or larger than 1e15 in this step: each is back at its last good place, at rest and disabled.
+    /// Valid until the world's next step.
+    std::span<const BodyId> quarantined;
+};
+
+} // namespace carom

@@ -1,0 +1,128 @@
+// The world: makes bodies and shapes, steps them, and tells what happened.
+#pragma once
+
+#include <carom/body.hpp>
+#include <carom/broad_phase.hpp>
+#include <carom/debug_draw.hpp>
+#include <carom/error.hpp>
+#include <carom/events.hpp>
+#include <carom/fields.hpp>
+#include <carom/report.hpp>
+#include <carom/shape.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <memory_resource>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace carom
+{
+
+/// Constants of the contact solver. The defaults suit bodies of 0.1 m to 10 m.
+struct SolverTuning
+{
+    float contact_hertz = 30;         ///< stiffness of contacts, also limited to an eighth of the substep rate [1/s], > 0
+    float contact_damping_ratio = 10; ///< >= 0
+    float push_out_speed = 3;         ///< most speed at which overlap is undone [m/s], > 0
+    float restitution_threshold = 1;  ///< slower approaches do not bounce [m/s], >= 0
+
+    friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
+};
+
+/// Room to set aside at the start, so that a world need not grow while it runs.
+struct CapacityHints
+{
+    int bodies = 0;
+    int shapes = 0;
+    int contacts = 0;
+};
+
+struct WorldDef
+{
+    Vec2 gravity = {0, -9.81f}; ///< [m/s^2]
+    BroadPhaseType broad_phase = BroadPhaseType::Tree;
+    BroadPhaseOptions broad_phase_options = {};
+    SolverTuning solver = {};
+    CapacityHints capacity = {};
+    /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
+    std::pmr::memory_resource* memory = nullptr;
+};
+
+/// A simulation. Worlds know nothing of each other; one world is used by one thread at a time. Every call that changes a world
+/// throws UsageError on a bad argument, and then nothing has changed. Lengths are in metres, masses in kilograms, times in
+/// seconds, angles in radians.
+class World
+{
+public:
+    explicit World(const WorldDef& def = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    // Bodies and shapes.
+    BodyId create_body(const BodyDef& def);
+    /// A body with one shape.
+    BodyId create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape = {});
+    void destroy_body(BodyId id); ///< and its shapes
+    ShapeId create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
+    void destroy_shape(ShapeId id);
+
+    Body body(BodyId id); ///< throws UsageError on a stale id
+    BodyView body(BodyId id) const;
+    std::optional<Body> find_body(BodyId id); ///< empty on a stale or null id
+    std::optional<BodyView> find_body(BodyId id) const;
+    Shape shape(ShapeId id);
+    ShapeView shape(ShapeId id) const;
+    std::optional<Shape> find_shape(ShapeId id);
+    std::optional<ShapeView> find_shape(ShapeId id) const;
+    std::vector<BodyId> bodies() const; ///< ordered by index
+
+    // Gravity.
+    Vec2 gravity() const;
+    void set_gravity(Vec2 gravity);
+    FieldId add_field(const Field& field);
+    void set_field(FieldId id, const Field& field);
+    void remove_field(FieldId id);
+    /// Acceleration that gravity and fields give to a body of gravity scale 1 at a point [m/s^2], pull by every source included.
+    Vec2 gravity_at(Vec2 point) const;
+
+    // Time.
+    /// Advances the world.
+    /// @param dt       [s], >= 0 and <= 1; 0 updates contacts and events and moves nothing
+    /// @param substeps parts into which the step is divided, 1 to 64; more make stiff piles and fast spins more exact
+    StepReport step(float dt, int substeps = 4);
+    /// What happened in the last step.
+    Events events() const;
+    /// The contact points between two shapes as of the last step; no points when they are apart.
+    Manifold manifold(ShapeId a, ShapeId b) const;
+
+    // The broad phase.
+    BroadPhaseType broad_phase() const;
+    BroadPhaseOptions broad_phase_options() const;
+    /// Changes how pairs are found, and nothing else: the world goes on to the same bits.
+    void set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options = {});
+
+    SolverTuning solver_tuning() const;
+    void set_solver_tuning(const SolverTuning& tuning);
+
+    int body_count() const;
+    int shape_count() const;
+    /// Number of steps taken.
+    std::uint64_t step_count() const;
+    /// A hash of the whole state. Equal runs give equal hashes at every step, whatever the broad phase, compiler or build type.
+    std::uint64_t hash() const;
+    void debug_draw(DebugDraw& visitor) const;
+
+private:
+    detail::WorldState& state() const;
+
+    struct Destroy
+    {
+        void operator()(detail::WorldState*) const;
+    };
+    std::unique_ptr<detail::WorldState, Destroy> state_;
+};
+
+} // namespace carom

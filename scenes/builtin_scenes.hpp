@@ -1,0 +1,14 @@
+// The scenes that come with Carom, each in a file of its own. registry.cpp lists them.
+#pragma once
+
+#include "scenes/scene.hpp"
+
+namespace carom::scenes
+{
+
+SceneInfo planets_scene();
+SceneInfo triggers_scene();
+SceneInfo collisions_scene();
+SceneInfo gravity_scene();
+
+} // namespace carom::scenes

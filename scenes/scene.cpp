@@ -1,0 +1,139 @@
+// What all scenes share: common parameters and keys, the order of a step, captions.
+#include "scenes/scene.hpp"
+
+#include "scenes/helpers.hpp"
+#include "scenes/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom::scenes
+{
+
+namespace
+{
+
+constexpr std::array all_broad_phases = {BroadPhaseType::Tree, BroadPhaseType::Quadtree, BroadPhaseType::QuadtreeNaive,
+                                         BroadPhaseType::BruteForce};
+
+BroadPhaseType broad_phase_named(std::string_view name)
+{
+    return *std::find_if(all_broad_phases.begin(), all_broad_phases.end(), [&](auto type) { return name_of(type) == name; });
+}
+
+WorldDef with_broad_phase(WorldDef def, const Parameters& parameters)
+{
+    def.broad_phase = broad_phase_named(parameters.choice("broad_phase"));
+    return def;
+}
+
+} // namespace
+
+std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase)
+{
+    std::vector<std::string> broad_phases = {std::string(name_of(broad_phase))};
+    for (const BroadPhaseType type : all_broad_phases)
+    {
+        if (type != broad_phase) broad_phases.emplace_back(name_of(type));
+    }
+    own.push_back(choice("broad_phase", broad_phases, Applies::Live, "how pairs of near shapes are found"));
+    own.push_back(real("step_rate", {10, 60, 1000}, "1/s", Applies::Live, "steps in a second of simulated time"));
+    own.push_back(integer("substeps", {1, 4, 64}, "", Applies::Live, "parts into which the solver divides a step"));
+    own.push_back(boolean("show_squares", broad_phase == BroadPhaseType::Quadtree, Applies::Live, "draw the broad phase's nodes"));
+    own.push_back(boolean("show_bounds", false, Applies::Live, "draw the bounds of shapes"));
+    return own;
+}
+
+std::vector<Control> with_common_controls(std::vector<Control> own)
+{
+    own.push_back({Control::Kind::Key, "q", "show or hide the broad phase's nodes"});
+    own.push_back({Control::Kind::Key, "b", "show or hide the bounds of shapes"});
+    return own;
+}
+
+Scene::Scene(const SceneSetup& setup, WorldDef world)
+    : info_(setup.info),
+      parameters_(setup.parameters),
+      seed_(setup.seed),
+      world_(with_broad_phase(world, setup.parameters))
+{
+}
+
+void Scene::set_parameter(std::string_view name, const ParameterValue& value)
+{
+    const ParameterInfo& parameter = find_parameter(parameters_.infos(), name);
+    parameters_.set(name, value);
+    if (parameter.applies != Applies::Live) return;
+    if (name == "broad_phase") world_.set_broad_phase(broad_phase_named(choice(name)));
+    on_parameter(name);
+}
+
+void Scene::pointer(const PointerEvent& event)
+{
+    constexpr float farthest = 0.01f * max_coordinate;
+    const bool is_sound = std::abs(event.position.x) < farthest && std::abs(event.position.y) < farthest && std::isfinite(event.wheel);
+    if (is_sound) on_pointer(event);
+}
+
+void Scene::key(std::string_view name)
+{
+    const std::string key = lower_case(name);
+    if (key == "q") return toggle("show_squares");
+    if (key == "b") return toggle("show_bounds");
+    const auto is_it = [&](const Control& control) { return control.kind == Control::Kind::Key && control.input == key; };
+    if (std::any_of(info_.controls.begin(), info_.controls.end(), is_it)) on_key(key);
+}
+
+StepReport Scene::step(StepObserver* observer)
+{
+    before_step();
+    const float dt = step_length();
+    const int substeps = integer("substeps");
+    if (observer) observer->world_step_begins();
+    const StepReport report = world_.step(dt, substeps);
+    if (observer) observer->world_step_ended();
+    time_ += static_cast<double>(dt);
+    after_step(report);
+    return report;
+}
+
+void Scene::draw(DrawList& list) const
+{
+    if (boolean("show_squares")) draw_broad_phase(world_, list);
+    on_draw(list);
+    if (boolean("show_bounds")) draw_bounds(world_, list);
+    draw_captions(list);
+}
+
+void Scene::draw_captions(DrawList& list) const
+{
+    list.text({.text = info_.title, .color = paper, .size = 24, .place = Place::TopLeft});
+    const std::string words = status();
+    if (!words.empty()) list.text({.text = words, .color = with_alpha(paper, 0.7f), .size = 17, .place = Place::TopLeft});
+    if (time_ < message_until_) list.text({.text = message_, .color = rgb(1, 0.8f, 0.35f), .size = 20, .place = Place::BottomLeft});
+}
+
+bool Scene::may_add_at(Vec2 position)
+{
+    if (world_.body_count() >= max_bodies)
+    {
+        say("The scene is full: it holds " + std::to_string(world_.body_count()) + " bodies.");
+        return false;
+    }
+    if (shape_at(world_, position))
+    {
+        say("A body is in the way there.");
+        return false;
+    }
+    return true;
+}
+
+void Scene::say(std::string message)
+{
+    constexpr double seconds = 3;
+    message_ = std::move(message);
+    message_until_ = time_ + seconds;
+}
+
+} // namespace carom::scenes

@@ -1,0 +1,250 @@
+// What holds for every scene.
+#include "scenes/helpers.hpp"
+#include "scenes/registry.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace carom::scenes
+{
+
+namespace
+{
+
+std::vector<std::string> scene_names()
+{
+    std::vector<std::string> names;
+    for (const SceneInfo& info : all_scenes()) names.push_back(info.name);
+    return names;
+}
+
+void step(Scene& scene, int count)
+{
+    for (int i = 0; i < count; ++i) scene.step();
+}
+
+std::uint64_t hash_after(Scene& scene, int steps)
+{
+    step(scene, steps);
+    return scene.world().hash();
+}
+
+std::size_t drawn_things(const Scene& scene)
+{
+    DrawList list;
+    scene.draw(list);
+    std::size_t count = 0;
+    for (const DrawnLayer& layer : list.layers()) count += layer.shapes.size() + layer.lines.size() + layer.texts.size();
+    return count;
+}
+
+class EveryScene : public testing::TestWithParam<std::string>
+{
+protected:
+    std::unique_ptr<Scene> make(std::uint64_t seed = 1) const { return make_scene(GetParam(), {}, seed); }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, EveryScene, testing::ValuesIn(scene_names()), [](const auto& one) { return one.param; });
+
+} // namespace
+
+TEST_P(EveryScene, equal_seeds_give_equal_runs)
+{
+    EXPECT_EQ(hash_after(*make(), 60), hash_after(*make(), 60));
+    EXPECT_NE(hash_after(*make(1), 1), hash_after(*make(2), 1));
+}
+
+TEST_P(EveryScene, the_broad_phase_does_not_show)
+{
+    const auto hash_with = [&](const char* name) { return hash_after(*make_scene(GetParam(), {{"broad_phase", name}}), 60); };
+    const std::uint64_t expected = hash_with("BruteForce");
+    for (const char* name : {"QuadtreeNaive", "Quadtree", "Tree"}) EXPECT_EQ(hash_with(name), expected) << name;
+}
+
+TEST_P(EveryScene, the_broad_phase_can_change_while_it_runs)
+{
+    const auto scene = make();
+    for (const char* name : {"BruteForce", "QuadtreeNaive", "Quadtree", "Tree"})
+    {
+        scene->set_parameter("broad_phase", name);
+        EXPECT_EQ(name_of(scene->world().broad_phase()), name);
+        step(*scene, 10);
+    }
+    EXPECT_EQ(scene->world().hash(), hash_after(*make(), 40));
+}
+
+TEST_P(EveryScene, drawing_changes_nothing)
+{
+    const auto drawn = make();
+    for (int i = 0; i < 30; ++i)
+    {
+        drawn->step();
+        EXPECT_GT(drawn_things(*drawn), 0u);
+    }
+    EXPECT_EQ(drawn->world().hash(), hash_after(*make(), 30));
+}
+
+TEST_P(EveryScene, is_alive_without_input)
+{
+    const auto scene = make();
+    const auto places = [&]
+    {
+        std::vector<Vec2> all;
+        for (const BodyId id : scene->world().bodies()) all.push_back(scene->world().body(id).position());
+        return all;
+    };
+    const std::vector<Vec2> before = places();
+    step(*scene, 60);
+    const std::vector<Vec2> after = places();
+    ASSERT_EQ(before.size(), after.size());
+    int moved = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) moved += distance(before[i], after[i]) > 0.5f;
+    EXPECT_GT(moved, 20);
+}
+
+TEST_P(EveryScene, restarts_with_the_parameters_that_it_has)
+{
+    const auto scene = make(7);
+    scene->set_parameter("substeps", 2);
+    step(*scene, 20);
+    const auto again = restarted(*scene);
+    EXPECT_EQ(again->seed(), 7u);
+    EXPECT_EQ(again->parameters().integer("substeps"), 2);
+    EXPECT_EQ(again->world().step_count(), 0u);
+    EXPECT_EQ(hash_after(*again, 20), scene->world().hash());
+}
+
+TEST_P(EveryScene, every_key_works_again_and_again)
+{
+    const auto scene = make();
+    for (int round = 0; round < 30; ++round)
+    {
+        for (const Control& control : scene->info().controls)
+        {
+            if (control.kind == Control::Kind::Key) scene->key(control.input);
+            scene->step();
+        }
+        drawn_things(*scene);
+    }
+    scene->key("no such key");
+    scene->key("");
+}
+
+TEST_P(EveryScene, positions_that_are_not_sound_are_ignored)
+{
+    const auto scene = make();
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const int bodies = scene->world().body_count();
+    for (const Vec2 place : {Vec2{nan, 0}, {0, nan}, {infinity, 0}, {0, -infinity}, {1e30f, 1e30f}, {-5e5f, 0}})
+    {
+        for (const auto action :
+             {PointerEvent::Action::Move, PointerEvent::Action::Down, PointerEvent::Action::Up, PointerEvent::Action::Wheel})
+            scene->pointer({action, PointerEvent::Button::Left, place, 1});
+    }
+    scene->pointer({PointerEvent::Action::Wheel, PointerEvent::Button::None, {}, nan});
+    EXPECT_EQ(scene->world().body_count(), bodies);
+    EXPECT_EQ(hash_after(*scene, 10), hash_after(*make(), 10));
+}
+
+TEST_P(EveryScene, thousands_of_clicks_at_one_place_do_not_pile_up)
+{
+    const auto scene = make();
+    const int bodies = scene->world().body_count();
+    for (int i = 0; i < 5000; ++i)
+    {
+        const auto button = i % 2 == 0 ? PointerEvent::Button::Left : PointerEvent::Button::Middle;
+        scene->pointer({PointerEvent::Action::Down, button, {2, 7}});
+    }
+    EXPECT_LE(scene->world().body_count(), bodies + 1);
+    step(*scene, 5);
+}
+
+TEST_P(EveryScene, survives_random_pointer_and_keys)
+{
+    const auto scene = make();
+    Random random(5);
+    const std::vector<Control>& controls = scene->info().controls;
+    for (int i = 0; i < 3000; ++i)
+    {
+        const auto action = static_cast<PointerEvent::Action>(random.integer(0, 3));
+        const auto button = static_cast<PointerEvent::Button>(random.integer(0, 3));
+        const Vec2 place = random.point_in({{-90, -60}, {90, 60}});
+        scene->pointer({action, button, place, random.uniform(-20, 20)});
+        const Control& control = controls[static_cast<std::size_t>(random.integer(0, static_cast<int>(controls.size()) - 1))];
+        if (i % 50 == 0) scene->key(control.input);
+        if (i % 10 == 0) scene->step();
+    }
+    EXPECT_LE(scene->world().body_count(), max_bodies);
+    EXPECT_GT(drawn_things(*scene), 0u);
+}
+
+TEST_P(EveryScene, live_parameters_take_their_extremes_while_it_runs)
+{
+    for (const ParameterInfo& info : make()->info().parameters)
+    {
+        if (info.applies != Applies::Live) continue;
+        const auto scene = make();
+        std::vector<ParameterValue> values(info.choices.begin(), info.choices.end());
+        if (info.kind == ParameterKind::Boolean) values = {true, false};
+        if (info.kind == ParameterKind::Integer || info.kind == ParameterKind::Real) values = {info.min, info.max};
+        for (const ParameterValue& value : values)
+        {
+            scene->set_parameter(info.name, value);
+            EXPECT_NO_THROW(step(*scene, 3)) << info.name << "=" << to_text(value);
+        }
+    }
+}
+
+TEST_P(EveryScene, starts_at_the_least_value_of_every_parameter)
+{
+    for (const ParameterInfo& info : make()->info().parameters)
+    {
+        if (info.kind != ParameterKind::Integer && info.kind != ParameterKind::Real) continue;
+        const auto scene = make_scene(GetParam(), {{info.name, info.min}});
+        EXPECT_NO_THROW(step(*scene, 3)) << info.name;
+    }
+}
+
+TEST_P(EveryScene, explains_itself)
+{
+    const SceneInfo& info = make()->info();
+    EXPECT_FALSE(info.title.empty());
+    EXPECT_FALSE(info.description.empty());
+    EXPECT_FALSE(info.group.empty());
+    for (const Control& control : info.controls) EXPECT_FALSE(control.input.empty() || control.action.empty());
+    for (const ParameterInfo& parameter : info.parameters)
+    {
+        EXPECT_FALSE(parameter.description.empty()) << parameter.name;
+        EXPECT_EQ(checked(parameter, parameter.initial), parameter.initial) << parameter.name;
+    }
+}
+
+TEST(Registry, names_the_scene_that_was_meant)
+{
+    try
+    {
+        make_scene("colisions");
+        FAIL() << "no error";
+    }
+    catch (const SceneError& error)
+    {
+        EXPECT_STREQ(error.what(), "scene: \"colisions\" does not exist; did you mean collisions?");
+    }
+    EXPECT_THROW(make_scene("planets", {{"planet", 3}}), SceneError);
+}
+
+TEST(PerShape, starts_afresh_for_a_new_shape_in_an_old_place)
+{
+    PerShape<int> values;
+    const ShapeId first{3, 1, 1};
+    const ShapeId second{3, 2, 1};
+    values[first] = 5;
+    EXPECT_EQ(*values.find(first), 5);
+    EXPECT_EQ(values.find(second), nullptr);
+    EXPECT_EQ(values[second], 0);
+    EXPECT_EQ(values.find(first), nullptr);
+}
+
+} // namespace carom::scenes

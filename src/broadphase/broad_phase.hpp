@@ -1,0 +1,92 @@
+// What every broad phase does: keep the boxes of shapes, and find the pairs that came to overlap.
+#pragma once
+
+#include <carom/broad_phase.hpp>
+#include <carom/math.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// The index of a shape in the shape store. Small and dense, so arrays can be addressed by it.
+using ProxyIndex = std::uint32_t;
+
+/// Two shapes with overlapping boxes; a < b.
+struct ProxyPair
+{
+    ProxyIndex a;
+    ProxyIndex b;
+
+    friend constexpr auto operator<=>(const ProxyPair&, const ProxyPair&) = default;
+};
+
+/// Shapes that never move are kept apart from those that do: two Static proxies are never a pair.
+enum class ProxyKind : std::uint8_t
+{
+    Static,
+    Moving
+};
+
+/// Counters of the last find_pairs, for the laboratory and the gallery.
+struct BroadPhaseStats
+{
+    std::size_t pairs_tested = 0; ///< boxes compared with boxes of proxies
+    std::size_t pairs_found = 0;
+    std::size_t nodes = 0; ///< nodes in use; 0 where there are none
+};
+
+/// A node, for drawing.
+struct BroadPhaseNode
+{
+    Aabb bounds;
+    int depth = 0; ///< the root has 0
+};
+
+/// Keeps the (fattened) boxes of proxies. The boxes are any finite ones: huge, empty of area, all negative.
+/// After its arrays have grown to the size of the work, no call allocates.
+class BroadPhase
+{
+public:
+    virtual ~BroadPhase() = default;
+
+    virtual BroadPhaseType type() const = 0;
+
+    /// @param proxy not in yet
+    virtual void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) = 0;
+    virtual void remove(ProxyIndex proxy) = 0;
+    /// Gives a proxy a new box.
+    virtual void update(ProxyIndex proxy, const Aabb& box) = 0;
+
+    /// Appends every pair of overlapping boxes of which at least one is among `moved` and at least one is Moving. Each pair comes
+    /// once. The order is the implementation's own: the caller sorts what it keeps.
+    /// @param moved   in any order, without repetition, all of them in; may hold Static ones (they were inserted or teleported)
+    virtual void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) = 0;
+
+    /// Appends the nodes as they are after the last find_pairs; nothing when there are none to show.
+    virtual void list_nodes(std::vector<BroadPhaseNode>& nodes) const = 0;
+
+    BroadPhaseStats stats() const { return stats_; }
+
+protected:
+    BroadPhaseStats stats_;
+};
+
+/// Makes one; it takes all its memory from `memory`, itself included.
+struct BroadPhaseDelete
+{
+    std::pmr::memory_resource* memory = nullptr;
+    std::size_t size = 0;
+    std::size_t alignment = 0;
+    void operator()(BroadPhase* broad_phase) const;
+};
+using BroadPhasePtr = std::unique_ptr<BroadPhase, BroadPhaseDelete>;
+
+BroadPhasePtr make_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options, std::pmr::memory_resource& memory);
+
+} // namespace carom::detail

@@ -1,0 +1,169 @@
+// Building the flat quadtree by sorting, and finding the pairs along its branches.
+#include "broadphase/quadtree.hpp"
+
+#include "broadphase/quadtree_layout.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace carom::detail
+{
+
+Quadtree::Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& memory)
+    : max_depth_(std::clamp(options.quadtree_max_depth, 0, 10)),
+      node_capacity_(static_cast<std::uint32_t>(std::max(options.quadtree_node_capacity, 1))),
+      table_(memory),
+      keys_(&memory),
+      keys_scratch_(&memory),
+      sorted_(&memory),
+      nodes_(&memory),
+      directory_(&memory)
+{
+}
+
+void Quadtree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+{
+    const std::size_t pairs_before = pairs.size();
+    stats_ = {};
+    table_.set_moved(moved, true);
+    sort_by_node();
+    build();
+    for (const Node& node : nodes_)
+    {
+        if (!node.has_moved) continue;
+        pair_within(node, pairs);
+        if (node.own_end == node.end) continue;
+        for (std::uint32_t i = node.begin; i < node.own_end; ++i) pair_below(node, sorted_[i], pairs);
+    }
+    table_.set_moved(moved, false);
+    stats_.nodes = nodes_.size();
+    stats_.pairs_found = pairs.size() - pairs_before;
+}
+
+/// Two shapes overlap only if their ranges of cells share one; the nodes that hold the ranges both hold that cell, so one of them is the
+/// other's ancestor, or they are the same. This holds for the cells as integers, whatever the rounding of bounds.
+void Quadtree::sort_by_node()
+{
+    const std::span<const Entry> entries = table_.entries();
+    keys_.clear();
+    sorted_.clear();
+    if (entries.empty()) return;
+
+    root_bounds_ = entries[0].box;
+    for (const Entry& entry : entries) root_bounds_ = merge(root_bounds_, entry.box);
+    const quadtree::Grid grid(root_bounds_, max_depth_);
+    for (std::uint32_t i = 0; i < entries.size(); ++i)
+    {
+        const std::uint32_t low = grid.code(entries[i].box.min);
+        const int depth = quadtree::common_depth(low, grid.code(entries[i].box.max), max_depth_);
+        const int bits_below = 2 * (max_depth_ - depth);
+        const std::uint32_t first_cell = low >> bits_below << bits_below;
+        keys_.push_back({first_cell << depth_bits | static_cast<std::uint32_t>(depth), i});
+    }
+    keys_scratch_.resize(keys_.size());
+    radix_sort(keys_, keys_scratch_, 2 * max_depth_ + depth_bits);
+    for (const SortKey& key : keys_) sorted_.push_back(entries[key.index]);
+}
+
+void Quadtree::build()
+{
+    for (const Node& node : nodes_) directory_[node.index] = absent;
+    nodes_.clear();
+    if (!sorted_.empty()) build_node(0, 0, 0, static_cast<std::uint32_t>(sorted_.size()));
+}
+
+/// A node whose subtree has more shapes than its capacity divides: the same tree as inserting one shape after the other gives.
+/// Recursion ends at depth 10.
+std::uint32_t Quadtree::build_node(std::uint32_t index, int depth, std::uint32_t begin, std::uint32_t end)
+{
+    const auto place = static_cast<std::uint32_t>(nodes_.size());
+    enlist(index, place);
+    nodes_.push_back({sorted_[begin].box, index, begin, end, end, false});
+    Node node = nodes_.back();
+    if (end - begin > node_capacity_ && depth < max_depth_)
+    {
+        // First come the shapes that no child holds, then those of each child's subtree.
+        const auto depth_at = [this](std::uint32_t i) { return static_cast<int>(keys_[i].key & ((1u << depth_bits) - 1)); };
+        const auto quadrant_at = [this, depth](std::uint32_t i)
+        { return quadtree::quadrant_at(keys_[i].key >> depth_bits, max_depth_, depth); };
+        node.own_end = begin;
+        while (node.own_end < end && depth_at(node.own_end) == depth) ++node.own_end;
+        for (std::uint32_t child_begin = node.own_end; child_begin < end;)
+        {
+            const unsigned quadrant = quadrant_at(child_begin);
+            std::uint32_t child_end = child_begin + 1;
+            while (child_end < end && quadrant_at(child_end) == quadrant) ++child_end;
+            const Node& child = nodes_[build_node(quadtree::child_of(index, quadrant), depth + 1, child_begin, child_end)];
+            node.bounds = merge(node.bounds, child.bounds);
+            node.has_moved |= child.has_moved;
+            child_begin = child_end;
+        }
+    }
+    for (std::uint32_t i = begin; i < node.own_end; ++i)
+    {
+        node.bounds = merge(node.bounds, sorted_[i].box);
+        node.has_moved |= sorted_[i].is_moved;
+    }
+    nodes_[place] = node;
+    return place;
+}
+
+void Quadtree::enlist(std::uint32_t index, std::uint32_t place)
+{
+    if (index >= directory_.size()) directory_.resize(quadtree::node_count(quadtree::depth_of(index)), absent);
+    directory_[index] = place;
+}
+
+/// Pairs among the node's own shapes.
+void Quadtree::pair_within(const Node& node, std::pmr::vector<ProxyPair>& pairs)
+{
+    for (std::uint32_t i = node.begin; i < node.own_end; ++i)
+    {
+        const Entry& self = sorted_[i];
+        if (!self.is_moved) continue;
+        for (std::uint32_t j = node.begin; j < node.own_end; ++j)
+        {
+            const Entry& other = sorted_[j];
+            const bool is_seen_from_other = other.is_moved && j <= i; // itself, too
+            if (is_seen_from_other || !is_candidate(self, other)) continue;
+            ++stats_.pairs_tested;
+            if (overlaps_branchless(self.box, other.box)) pairs.push_back(ordered_pair(self.proxy, other.proxy));
+        }
+    }
+}
+
+/// Pairs of one of the node's own shapes with those below the node.
+void Quadtree::pair_below(const Node& node, const Entry& self, std::pmr::vector<ProxyPair>& pairs)
+{
+    std::array<std::uint32_t, 4 * quadtree::deepest> stack; // at most three siblings wait at each depth
+    std::size_t stack_size = 0;
+    const auto push_children = [&](std::uint32_t index)
+    {
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
+        {
+            const std::uint32_t place = place_of(quadtree::child_of(index, quadrant));
+            if (place == absent || !(self.is_moved | nodes_[place].has_moved)) continue;
+            if (overlaps(nodes_[place].bounds, self.box)) stack[stack_size++] = place;
+        }
+    };
+
+    push_children(node.index);
+    while (stack_size > 0)
+    {
+        const Node& below = nodes_[stack[--stack_size]];
+        for (std::uint32_t i = below.begin; i < below.own_end; ++i)
+        {
+            if (!is_candidate(self, sorted_[i])) continue;
+            ++stats_.pairs_tested;
+            if (overlaps_branchless(self.box, sorted_[i].box)) pairs.push_back(ordered_pair(self.proxy, sorted_[i].proxy));
+        }
+        if (below.own_end < below.end) push_children(below.index);
+    }
+}
+
+void Quadtree::list_nodes(std::vector<BroadPhaseNode>& nodes) const
+{
+    for (const Node& node : nodes_) nodes.push_back({quadtree::bounds_of(root_bounds_, node.index), quadtree::depth_of(node.index)});
+}
+
+} // namespace carom::detail

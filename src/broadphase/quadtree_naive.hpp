@@ -1,0 +1,54 @@
+// What one writes first: nodes divide, a shape is in every leaf that it touches, and a hash set drops the pairs found twice.
+#pragma once
+
+#include "broadphase/proxy_table.hpp"
+
+#include <unordered_set>
+
+namespace carom::detail
+{
+
+/// Kept for the laboratory: the distance from here to `Quadtree` is what layout and "a shape once" are worth.
+class QuadtreeNaive final : public BroadPhase
+{
+public:
+    QuadtreeNaive(const BroadPhaseOptions& options, std::pmr::memory_resource& memory);
+
+    BroadPhaseType type() const override { return BroadPhaseType::QuadtreeNaive; }
+    void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override { table_.insert(proxy, box, kind); }
+    void remove(ProxyIndex proxy) override { table_.remove(proxy); }
+    void update(ProxyIndex proxy, const Aabb& box) override { table_.update(proxy, box); }
+    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
+    void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
+
+private:
+    struct Node
+    {
+        explicit Node(const std::pmr::polymorphic_allocator<>& allocator) : shapes(allocator) {}
+
+        Aabb bounds;
+        int depth = 0;
+        std::uint32_t first_child = 0;          ///< of four; 0 in a leaf
+        std::pmr::vector<std::uint32_t> shapes; ///< places in the table; of a leaf only
+    };
+
+    struct PairHash
+    {
+        std::size_t operator()(const ProxyPair& pair) const { return std::hash<std::uint64_t>()(std::uint64_t{pair.a} << 32 | pair.b); }
+    };
+
+    std::uint32_t add_node(const Aabb& bounds, int depth);
+    void insert_below(std::uint32_t node, std::uint32_t shape);
+    void divide(std::uint32_t node);
+    bool is_worth_dividing(const Node& node) const;
+
+    int max_depth_;
+    std::size_t node_capacity_;
+    ProxyTable table_;
+    std::pmr::unsynchronized_pool_resource pool_; ///< keeps the blocks of nodes and hash cells from step to step
+    std::pmr::vector<Node> nodes_;                ///< only the first node_count_ are in use; the rest keep their memory
+    std::size_t node_count_ = 0;
+    std::pmr::unordered_set<ProxyPair, PairHash> found_;
+};
+
+} // namespace carom::detail

@@ -1,0 +1,75 @@
+// One step of the default broad phase: settle, refit, rebuild when worn, walk.
+#include "broadphase/tree.hpp"
+
+#include <algorithm>
+
+namespace carom::detail
+{
+namespace
+{
+
+/// With fewer than one in so many moved, looking each up beats walking the tree against itself: it takes 0.6 of the time when 2% moved,
+/// as long at 10%, 1.6 times as long at 30% and three times at 100% (piles and clouds of 1,000 to 10,000 shapes).
+constexpr std::size_t few_moved = 12;
+
+/// A child always comes after its parent, so depths are known in one pass.
+void append_nodes(const BoxTree& tree, std::vector<BroadPhaseNode>& nodes)
+{
+    const std::size_t first = nodes.size();
+    for (std::uint32_t i = 0; i < tree.node_count(); ++i)
+    {
+        const std::uint32_t parent = tree.node(i).parent;
+        const int depth = parent == BoxTree::none ? 0 : nodes[first + parent / 4].depth + 1;
+        nodes.push_back({merge4(tree.boxes(i)), depth});
+    }
+    const auto is_empty = [](const BroadPhaseNode& node) { return node.bounds.min.x > node.bounds.max.x; };
+    nodes.erase(std::remove_if(nodes.begin() + static_cast<std::ptrdiff_t>(first), nodes.end(), is_empty), nodes.end());
+}
+
+} // namespace
+
+void Tree::insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) { (kind == ProxyKind::Moving ? moving_ : static_).insert(proxy, box); }
+
+void Tree::mark_and_refit(std::span<const ProxyIndex> moved)
+{
+    for (const ProxyIndex proxy : moved) tree_of(proxy).mark_moved(proxy);
+    moving_.refit();
+    static_.refit();
+}
+
+void Tree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+{
+    const std::size_t pairs_before = pairs.size();
+    moving_.settle();
+    static_.settle();
+    mark_and_refit(moved);
+    if (moving_.is_degraded() || static_.is_degraded())
+    {
+        if (moving_.is_degraded()) moving_.rebuild();
+        if (static_.is_degraded()) static_.rebuild();
+        mark_and_refit(moved);
+    }
+
+    walk_.pairs_tested = 0;
+    if (moved.size() * few_moved < moving_.proxy_count())
+    {
+        walk_.queries_within(moving_, pairs);
+        walk_.queries_between(moving_, static_, pairs);
+    }
+    else
+    {
+        walk_.within(moving_, pairs);
+        walk_.between(moving_, static_, pairs);
+    }
+    moving_.clear_moved();
+    static_.clear_moved();
+    stats_ = {walk_.pairs_tested, pairs.size() - pairs_before, moving_.node_count() + static_.node_count()};
+}
+
+void Tree::list_nodes(std::vector<BroadPhaseNode>& nodes) const
+{
+    append_nodes(moving_, nodes);
+    append_nodes(static_, nodes);
+}
+
+} // namespace carom::detail

@@ -1,0 +1,33 @@
+// The default broad phase: one wide tree of boxes for what moves, one for what does not.
+#pragma once
+
+#include "broadphase/box_tree.hpp"
+#include "broadphase/pair_walk.hpp"
+
+namespace carom::detail
+{
+
+/// Two trees, because static shapes stay as they are for long: theirs is not refit while nothing in it changes, and is only ever met by
+/// the tree of what moves.
+class Tree final : public BroadPhase
+{
+public:
+    Tree(const BroadPhaseOptions&, std::pmr::memory_resource& memory) : moving_(memory), static_(memory), walk_(memory) {}
+
+    BroadPhaseType type() const override { return BroadPhaseType::Tree; }
+    void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
+    void remove(ProxyIndex proxy) override { tree_of(proxy).remove(proxy); }
+    void update(ProxyIndex proxy, const Aabb& box) override { tree_of(proxy).update(proxy, box); }
+    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
+    void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
+
+private:
+    BoxTree& tree_of(ProxyIndex proxy) { return moving_.holds(proxy) ? moving_ : static_; }
+    void mark_and_refit(std::span<const ProxyIndex> moved);
+
+    BoxTree moving_;
+    BoxTree static_;
+    PairWalk walk_;
+};
+
+} // namespace carom::detail

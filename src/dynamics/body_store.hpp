@@ -1,0 +1,129 @@
+// Bodies: a cold record a body, and small dense arrays of what the hot loops read of those that move.
+#pragma once
+
+#include "dynamics/slot_pool.hpp"
+
+#include <carom/body.hpp>
+#include <carom/math.hpp>
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// What the solver reads and writes of an active body: 32 bytes, by motion index.
+struct BodyMotion
+{
+    Vec2 v;      ///< of the centre of mass [m/s]
+    float w = 0; ///< [rad/s]
+    Vec2 dp;     ///< way of the centre since the start of the step [m]
+    Rot dq;      ///< rotation since the start of the step
+    std::uint32_t slot = null_index;
+};
+static_assert(sizeof(BodyMotion) == 32);
+
+/// Resistance of an active body, by motion index. Zero is "can't be pushed": kinematic bodies, locked axes.
+struct BodyMass
+{
+    Vec2 inv_mass;         ///< along each axis [1/kg]
+    float inv_inertia = 0; ///< [1/(kg m^2)]
+};
+
+/// What accelerates and brakes an active body, by motion index.
+struct BodyDrive
+{
+    Vec2 force;          ///< [N]
+    float torque = 0;    ///< [N m]
+    Vec2 gravity_scale;  ///< along each axis; 0 where gravity can't move the body
+    float linear_damping = 0;  ///< [1/s]
+    float angular_damping = 0; ///< [1/s]
+};
+
+/// Where a body is, by slot.
+struct BodyPose
+{
+    Transform transform; ///< of the origin
+    Vec2 center;         ///< of mass, in the world [m]
+    Vec2 local_center;   ///< of mass, in the body's frame [m]
+};
+
+/// The rest of a body, by slot.
+struct BodyRecord
+{
+    explicit BodyRecord(std::pmr::memory_resource* memory) : name(memory) {}
+
+    BodyType type = BodyType::Dynamic;
+    bool is_enabled = true;
+    bool is_attractor = false;
+    bool has_mass_override = false;
+    MotionLocks locks;
+    float linear_damping = 0;
+    float angular_damping = 0;
+    float gravity_scale = 1;
+    Vec2 saved_v;                      ///< velocity while the body is not active [m/s]
+    float saved_w = 0;                 ///< [rad/s]
+    MassData shapes_mass;              ///< of all its shapes together; static bodies have it too
+    MassData mass_override;            ///< as the user gave it
+    MassData mass;                     ///< of the two the one that counts, as the solver uses it
+    std::uint32_t first_shape = null_index;
+    std::uint32_t last_shape = null_index;
+    std::uint32_t shape_count = 0;
+    std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
+    std::uint32_t color_mask = 0;             ///< solver colours in use by this body's contacts
+    std::uint64_t user_data = 0;
+    std::pmr::string name;
+};
+
+/// Two parts as one body.
+MassData combined(const MassData& a, const MassData& b);
+
+/// All bodies of a world. A body is active while it is enabled and not static; only active ones have a motion index. Motion index 0
+/// stands for everything that does not move: at rest, infinitely heavy, never written.
+class BodyStore
+{
+public:
+    explicit BodyStore(std::pmr::memory_resource& memory);
+
+    std::uint32_t create(const BodyDef& def);
+    /// The body has no shapes and no contacts any more.
+    void destroy(std::uint32_t slot);
+    void reserve(std::size_t count);
+
+    /// Makes the dense arrays follow the record: type, enabled, mass, locks, damping.
+    void refresh(std::uint32_t slot);
+    bool is_active(std::uint32_t slot) const { return motion_index[slot] != 0; }
+    bool is_dynamic(std::uint32_t slot) const { return records[slot].type == BodyType::Dynamic; }
+
+    Vec2 velocity(std::uint32_t slot) const { return is_active(slot) ? motions[motion_index[slot]].v : records[slot].saved_v; }
+    float spin(std::uint32_t slot) const { return is_active(slot) ? motions[motion_index[slot]].w : records[slot].saved_w; }
+    void set_velocity(std::uint32_t slot, Vec2 v);
+    void set_spin(std::uint32_t slot, float w);
+    void set_transform(std::uint32_t slot, const Transform& transform);
+    /// Whether forces and impulses act on the body: it is dynamic and enabled.
+    bool is_pushable(std::uint32_t slot) const { return is_dynamic(slot) && is_active(slot); }
+    /// Changes the velocity of a pushable body by an impulse [N s] and an angular impulse [N m s].
+    void push(std::uint32_t slot, Vec2 impulse, float angular_impulse);
+    /// Makes mass and centre follow the shapes' mass, the override and the type.
+    void refresh_mass(std::uint32_t slot);
+    /// What an N-body field sees [kg].
+    float gravity_mass(std::uint32_t slot) const;
+
+    SlotPool slots;
+    std::pmr::vector<BodyRecord> records;           ///< by slot
+    std::pmr::vector<BodyPose> poses;               ///< by slot
+    std::pmr::vector<std::uint32_t> motion_index;   ///< by slot; 0 when not active
+
+    std::pmr::vector<BodyMotion> motions; ///< by motion index, as are the next two
+    std::pmr::vector<BodyMass> masses;
+    std::pmr::vector<BodyDrive> drives;
+
+private:
+    void activate(std::uint32_t slot);
+    void deactivate(std::uint32_t slot);
+};
+
+} // namespace carom::detail

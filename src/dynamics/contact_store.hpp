@@ -1,0 +1,85 @@
+// Contacts: one for every pair of shapes whose fattened bounds overlap and that may meet, sensors included.
+#pragma once
+
+#include "dynamics/slot_pool.hpp"
+
+#include <carom/math.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+class BodyStore;
+
+inline constexpr std::uint8_t no_color = 255;
+
+/// Who meets whom, and how their surfaces mix. Shape A has the lower index.
+struct Contact
+{
+    std::uint32_t shape_a = null_index;
+    std::uint32_t shape_b = null_index;
+    std::uint32_t body_a = null_index;
+    std::uint32_t body_b = null_index;
+    std::array<std::uint32_t, 2> previous = {null_index, null_index}; ///< neighbours in the lists of body A and of body B: edges
+    std::array<std::uint32_t, 2> next = {null_index, null_index};
+    float friction = 0;
+    float restitution = 0;
+    float rolling_resistance = 0; ///< times a radius [m]
+    float tangent_speed = 0;      ///< of B past A along the right of the normal [m/s]
+    std::uint32_t index_in_color = 0;
+    std::uint8_t color = no_color; ///< the solver's colour while the contact has points
+    bool is_live = false;
+    bool is_sensor = false;
+    bool is_touching = false; ///< as the events have told it
+};
+
+/// One point of a contact as the solver leaves it for the next step.
+struct ContactPointState
+{
+    Vec2 position;               ///< in the world at the start of the step [m]
+    Vec2 r_a;                    ///< from A's centre of mass to the point [m]
+    Vec2 r_b;                    ///< from B's [m]
+    float separation = 0;        ///< at the start of the step [m]
+    float normal_impulse = 0;    ///< of the last substep: warm starts the next [N s]
+    float tangent_impulse = 0;   ///< of the last substep [N s]
+    float total_normal = 0;      ///< over the step [N s]
+    float total_tangent = 0;     ///< over the step [N s]
+    float normal_velocity = 0;   ///< along the normal at the start of the step; negative when approaching [m/s]
+    std::uint32_t feature = 0;
+};
+
+/// The contact's points, by contact slot.
+struct ContactManifold
+{
+    Vec2 normal; ///< in the world, from A to B
+    float rolling_impulse = 0; ///< of the last substep [N m s]
+    float total_rolling = 0;   ///< over the step [N m s]
+    float carried_impulse = 0; ///< what each point has been carrying for a while, per substep [N s]
+    int count = 0;             ///< points; a sensor's overlap counts as one
+    std::array<ContactPointState, 2> points;
+};
+
+/// All contacts of a world. The contacts of a body form a list of edges; edge 2 c is contact c seen from body A, 2 c + 1 from body B.
+class ContactStore
+{
+public:
+    explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory) {}
+
+    std::uint32_t create(const Contact& pair, BodyStore& bodies);
+    void destroy(std::uint32_t slot, BodyStore& bodies);
+    void reserve(std::size_t count);
+
+    SlotPool slots;
+    std::pmr::vector<Contact> contacts;
+    std::pmr::vector<ContactManifold> manifolds;
+
+private:
+    void link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
+    void unlink(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
+};
+
+} // namespace carom::detail

@@ -1,0 +1,64 @@
+// The only place where a step writes poses.
+#include "dynamics/finalize_bodies.hpp"
+
+#include <cmath>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+/// Squares of larger numbers come near the end of float: a body there is as lost as one at infinity [m], [m/s], [rad/s].
+constexpr float end_of_world = 1e15f;
+
+bool is_good(float value) { return std::abs(value) < end_of_world; } // false for NaN
+bool is_good(Vec2 v) { return is_good(v.x) && is_good(v.y); }
+
+} // namespace
+
+void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way)
+{
+    const Transform& transform = bodies.poses[body].transform;
+    for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    {
+        ShapeBounds& bounds = shapes.bounds[s];
+        bounds.tight = aabb_of(shapes.geometry[s], transform);
+        if (contains(bounds.fat, bounds.tight)) continue;
+        bounds.fat = fattened(bounds.tight, way);
+        broad_phase.update(s, bounds.fat);
+        shapes.mark_moved(s);
+    }
+}
+
+void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, std::pmr::vector<std::uint32_t>& not_finite)
+{
+    // The margin follows the velocity for this many steps to come: fewer searches for pairs, against more false pairs.
+    constexpr float steps_ahead = 2;
+
+    for (std::size_t i = 1; i < bodies.motions.size(); ++i)
+    {
+        BodyMotion& motion = bodies.motions[i];
+        BodyPose& pose = bodies.poses[motion.slot];
+        const Vec2 center = pose.center + motion.dp;
+        const Rot q = normalize(motion.dq * pose.transform.q);
+        const Transform transform = {center - rotate(q, pose.local_center), q};
+        motion.dp = {};
+        motion.dq = {};
+        bodies.drives[i].force = {};
+        bodies.drives[i].torque = 0;
+
+        if (!is_good(center) || !is_good(motion.v) || !is_good(motion.w) || !is_good(Vec2{q.c, q.s}))
+        {
+            motion.v = {};
+            motion.w = 0;
+            not_finite.push_back(motion.slot);
+            continue;
+        }
+        pose.center = center;
+        pose.transform = transform;
+        refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
+    }
+}
+
+} // namespace carom::detail

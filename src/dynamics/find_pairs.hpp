@@ -1,0 +1,32 @@
+// From boxes that overlap to contacts: asks the broad phase, and keeps the pairs that may meet and are new.
+#pragma once
+
+#include "broadphase/broad_phase.hpp"
+#include "broadphase/pair_set.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/contact_store.hpp"
+#include "dynamics/shape_store.hpp"
+
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// Whether a pair of shapes makes a contact, and whether that is a sensor's.
+struct PairVerdict
+{
+    bool makes_contact = false;
+    bool is_sensor = false;
+};
+
+/// Decides by bodies, types, flags and filters; everything about two shapes but where they are.
+PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, ProxyPair pair);
+
+/// Finds the pairs of the shapes that moved and makes contacts of the new ones, ordered by shape, so that the broad phase does not show.
+/// @param known pairs that are contacts already; grows by the new ones
+/// @param found scratch
+void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, ContactStore& contacts, PairSet& known,
+                std::pmr::vector<ProxyPair>& found);
+
+} // namespace carom::detail

@@ -1,0 +1,130 @@
+// Calls the geometry's collide() for each contact and matches new points with old ones.
+#include "dynamics/narrow_phase.hpp"
+
+#include "geometry/distance.hpp"
+#include "geometry/manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+/// The length by which a shape rolls: its radius; polygons without rounding don't roll.
+float rolling_radius(const Geometry& geometry)
+{
+    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
+    if (const auto* polygon = std::get_if<Polygon>(&geometry)) return polygon->radius;
+    return 0;
+}
+
+/// The impulses of the old point that the same features made, or none.
+void keep_impulses(ContactPointState& point, const ContactManifold& old)
+{
+    for (int i = 0; i < old.count; ++i)
+    {
+        const ContactPointState& before = old.points[static_cast<std::size_t>(i)];
+        if (before.feature != point.feature) continue;
+        point.normal_impulse = before.normal_impulse;
+        point.tangent_impulse = before.tangent_impulse;
+        return;
+    }
+}
+
+ContactManifold collide_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactManifold& old)
+{
+    const BodyPose& pose_a = bodies.poses[contact.body_a];
+    const BodyPose& pose_b = bodies.poses[contact.body_b];
+    const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
+    const LocalManifold local = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a);
+
+    ContactManifold manifold;
+    manifold.count = local.count;
+    manifold.normal = rotate(pose_a.transform.q, local.normal);
+    if (local.count > 0)
+    {
+        manifold.rolling_impulse = old.rolling_impulse;
+        manifold.carried_impulse = old.carried_impulse;
+    }
+    const Vec2 centers = pose_b.center - pose_a.center;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
+    {
+        ContactPointState& point = manifold.points[i];
+        point.r_a = rotate(pose_a.transform.q, local.points[i].position - pose_a.local_center);
+        point.r_b = point.r_a - centers;
+        point.position = pose_a.center + point.r_a;
+        point.separation = local.points[i].separation;
+        point.feature = local.points[i].feature;
+        keep_impulses(point, old);
+    }
+    return manifold;
+}
+
+ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
+{
+    const Transform b_in_a = relative(bodies.poses[contact.body_a].transform, bodies.poses[contact.body_b].transform);
+    ContactManifold manifold;
+    manifold.count = overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a) ? 1 : 0;
+    return manifold;
+}
+
+} // namespace
+
+void ContactChanges::clear()
+{
+    gained_points.clear();
+    lost_points.clear();
+    separated.clear();
+}
+
+void mix_materials(Contact& contact, const ShapeStore& shapes)
+{
+    const Material& a = shapes.records[contact.shape_a].material;
+    const Material& b = shapes.records[contact.shape_b].material;
+    const float radius = std::max(rolling_radius(shapes.geometry[contact.shape_a]), rolling_radius(shapes.geometry[contact.shape_b]));
+    contact.friction = std::sqrt(a.friction * b.friction);
+    contact.restitution = std::max(a.restitution, b.restitution);
+    contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius;
+    contact.tangent_speed = a.tangent_speed + b.tangent_speed;
+}
+
+void forget_impulses(ContactManifold& manifold)
+{
+    manifold.rolling_impulse = manifold.carried_impulse = 0;
+    for (ContactPointState& point : manifold.points) point.normal_impulse = point.tangent_impulse = 0;
+}
+
+void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes)
+{
+    changes.clear();
+    for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
+    {
+        const Contact& contact = contacts.contacts[slot];
+        if (!contact.is_live) continue;
+
+        const ShapeBounds& a = shapes.bounds[contact.shape_a];
+        const ShapeBounds& b = shapes.bounds[contact.shape_b];
+        if (!overlaps(a.fat, b.fat))
+        {
+            changes.separated.push_back(slot);
+            continue;
+        }
+
+        ContactManifold& manifold = contacts.manifolds[slot];
+        const bool had_points = manifold.count > 0;
+        const bool may_have_points = overlaps(expanded(a.tight, speculative_distance), b.tight);
+        if (!may_have_points) manifold.count = 0;
+        else if (contact.is_sensor) manifold = overlap_pair(contact, bodies, shapes);
+        else manifold = collide_pair(contact, bodies, shapes, manifold);
+
+        const bool has_points = manifold.count > 0;
+        if (has_points && !had_points) changes.gained_points.push_back(slot);
+        if (!has_points && had_points) changes.lost_points.push_back(slot);
+    }
+}
+
+} // namespace carom::detail

@@ -1,0 +1,36 @@
+// Keeps every contact's manifold in step with where its bodies are.
+#pragma once
+
+#include "dynamics/body_store.hpp"
+#include "dynamics/contact_store.hpp"
+#include "dynamics/shape_store.hpp"
+
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// Contacts whose standing changed, each list by rising slot.
+struct ContactChanges
+{
+    explicit ContactChanges(std::pmr::memory_resource& memory) : gained_points(&memory), lost_points(&memory), separated(&memory) {}
+
+    std::pmr::vector<std::uint32_t> gained_points; ///< had none, have some: the solver takes them in
+    std::pmr::vector<std::uint32_t> lost_points;   ///< had some, have none
+    std::pmr::vector<std::uint32_t> separated;     ///< the fat bounds no longer overlap: to be destroyed
+
+    void clear();
+};
+
+/// Surface of a contact, mixed from its two shapes'.
+void mix_materials(Contact& contact, const ShapeStore& shapes);
+
+/// Starts a contact cold: its shapes are no longer those that made its points.
+void forget_impulses(ContactManifold& manifold);
+
+/// Collides the shapes of every contact anew; points made by the same features keep their impulses.
+void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes);
+
+} // namespace carom::detail

@@ -1,0 +1,90 @@
+// Adds and removes shapes, and keeps the list of those that moved.
+#include "dynamics/shape_store.hpp"
+
+#include <algorithm>
+
+namespace carom::detail
+{
+
+std::uint32_t ShapeStore::create(std::uint32_t body, const Geometry& shape, const ShapeDef& def)
+{
+    const std::uint32_t slot = slots.acquire();
+    if (slot == records.size())
+    {
+        records.emplace_back();
+        geometry.emplace_back();
+        bounds.emplace_back();
+        place_in_moved.push_back(null_index);
+    }
+    records[slot] = {.body = body,
+                     .density = def.density,
+                     .is_sensor = def.is_sensor,
+                     .contact_events = def.contact_events,
+                     .persist_events = def.persist_events,
+                     .sensor_events = def.sensor_events,
+                     .material = def.material,
+                     .filter = def.filter,
+                     .user_data = def.user_data};
+    geometry[slot] = shape;
+    bounds[slot] = {};
+    return slot;
+}
+
+void ShapeStore::destroy(std::uint32_t slot)
+{
+    unmark_moved(slot);
+    slots.release(slot);
+}
+
+void ShapeStore::reserve(std::size_t count)
+{
+    slots.reserve(count);
+    records.reserve(count);
+    geometry.reserve(count);
+    bounds.reserve(count);
+    moved.reserve(count);
+    place_in_moved.reserve(count);
+}
+
+void ShapeStore::mark_moved(std::uint32_t slot)
+{
+    if (place_in_moved[slot] != null_index) return;
+    place_in_moved[slot] = static_cast<std::uint32_t>(moved.size());
+    moved.push_back(slot);
+}
+
+void ShapeStore::unmark_moved(std::uint32_t slot)
+{
+    const std::uint32_t place = place_in_moved[slot];
+    if (place == null_index) return;
+    moved[place] = moved.back();
+    place_in_moved[moved[place]] = place;
+    moved.pop_back();
+    place_in_moved[slot] = null_index;
+}
+
+void ShapeStore::clear_moved()
+{
+    for (const std::uint32_t slot : moved) place_in_moved[slot] = null_index;
+    moved.clear();
+}
+
+Aabb fattened(const Aabb& tight, Vec2 way)
+{
+    // An eighth of the size, at most 5 cm: enough for things that tremble in a pile, little enough to keep false pairs rare.
+    constexpr float share_of_size = 0.125f;
+    constexpr float max_margin = 0.05f;
+    const Vec2 half = tight.half_extent();
+    const float margin = std::min(2 * share_of_size * std::max(half.x, half.y), max_margin);
+    const Aabb still = expanded(tight, margin);
+    return {{still.min.x + std::min(way.x, 0.0f), still.min.y + std::min(way.y, 0.0f)},
+            {still.max.x + std::max(way.x, 0.0f), still.max.y + std::max(way.y, 0.0f)}};
+}
+
+bool should_collide(const Filter& a, const Filter& b)
+{
+    if (a.group == b.group && a.group != 0) return a.group > 0;
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+} // namespace carom::detail

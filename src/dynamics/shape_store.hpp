@@ -1,0 +1,72 @@
+// Shapes: geometry, bounds and surface by slot, and which of them have left their fattened bounds.
+#pragma once
+
+#include "dynamics/slot_pool.hpp"
+
+#include <carom/math.hpp>
+#include <carom/shape.hpp>
+
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// What the hot loops don't read of a shape, by slot.
+struct ShapeRecord
+{
+    std::uint32_t body = null_index;
+    std::uint32_t previous_of_body = null_index;
+    std::uint32_t next_of_body = null_index;
+    float density = 1;
+    bool is_sensor = false;
+    bool contact_events = true;
+    bool persist_events = false;
+    bool sensor_events = true;
+    Material material;
+    Filter filter;
+    std::uint64_t user_data = 0;
+};
+
+/// Where a shape is, by slot. The fat bounds are what the broad phase sees: they change only when the tight ones leave them.
+struct ShapeBounds
+{
+    Aabb tight;
+    Aabb fat;
+};
+
+/// All shapes of a world, in arrays by slot.
+class ShapeStore
+{
+public:
+    explicit ShapeStore(std::pmr::memory_resource& memory)
+        : slots(memory), records(&memory), geometry(&memory), bounds(&memory), moved(&memory), place_in_moved(&memory)
+    {
+    }
+
+    std::uint32_t create(std::uint32_t body, const Geometry& shape, const ShapeDef& def);
+    void destroy(std::uint32_t slot);
+    void reserve(std::size_t count);
+
+    /// Asks for new pairs of this shape in the next step.
+    void mark_moved(std::uint32_t slot);
+    void unmark_moved(std::uint32_t slot);
+    void clear_moved();
+
+    SlotPool slots;
+    std::pmr::vector<ShapeRecord> records;
+    std::pmr::vector<Geometry> geometry;
+    std::pmr::vector<ShapeBounds> bounds;
+    std::pmr::vector<std::uint32_t> moved;          ///< slots whose fat bounds are new since the last search for pairs, in any order
+    std::pmr::vector<std::uint32_t> place_in_moved; ///< by slot; null_index when not there
+};
+
+/// Bounds that a shape may move in for a while without being looked at again.
+/// @param way where the body goes in the near future [m]: the margin follows the velocity
+Aabb fattened(const Aabb& tight, Vec2 way);
+
+/// Whether two shapes may meet at all.
+bool should_collide(const Filter& a, const Filter& b);
+
+} // namespace carom::detail

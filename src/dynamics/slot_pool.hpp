@@ -1,0 +1,70 @@
+// Places of a store: which are taken, which are free, and by which generation of tenant.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// No place, no neighbour.
+inline constexpr std::uint32_t null_index = std::numeric_limits<std::uint32_t>::max();
+
+/// Hands out indices 0, 1, 2, ... and takes them back. The next one is the one that came back last. An index whose generations
+/// are used up never comes again, so an old id can't name a new tenant.
+class SlotPool
+{
+public:
+    explicit SlotPool(std::pmr::memory_resource& memory) : slots_(&memory) {}
+
+    std::uint32_t acquire()
+    {
+        ++live_count_;
+        if (first_free_ == null_index)
+        {
+            slots_.push_back({.generation = 1, .is_live = true});
+            return static_cast<std::uint32_t>(slots_.size() - 1);
+        }
+        const std::uint32_t index = first_free_;
+        Slot& slot = slots_[index];
+        first_free_ = slot.next_free;
+        ++slot.generation;
+        slot.is_live = true;
+        return index;
+    }
+
+    void release(std::uint32_t index)
+    {
+        --live_count_;
+        Slot& slot = slots_[index];
+        slot.is_live = false;
+        if (slot.generation == std::numeric_limits<std::uint32_t>::max()) return;
+        slot.next_free = first_free_;
+        first_free_ = index;
+    }
+
+    bool is_live(std::uint32_t index) const { return index < slots_.size() && slots_[index].is_live; }
+    bool is_live(std::uint32_t index, std::uint32_t generation) const { return is_live(index) && slots_[index].generation == generation; }
+    std::uint32_t generation(std::uint32_t index) const { return slots_[index].generation; }
+
+    /// One past the highest index ever handed out; arrays beside the pool have this length.
+    std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
+    int live_count() const { return live_count_; }
+    void reserve(std::size_t count) { slots_.reserve(count); }
+
+private:
+    struct Slot
+    {
+        std::uint32_t generation = 0;
+        std::uint32_t next_free = null_index;
+        bool is_live = false;
+    };
+
+    std::pmr::vector<Slot> slots_;
+    std::uint32_t first_free_ = null_index;
+    int live_count_ = 0;
+};
+
+} // namespace carom::detail

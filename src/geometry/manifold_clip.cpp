@@ -1,0 +1,96 @@
+// From two facing edges, or two corners, to contact points.
+#include "geometry/manifold_kernels.hpp"
+#include "geometry/nearest.hpp"
+
+namespace carom::detail
+{
+
+namespace
+{
+
+/// A point of the incident edge in the frame of the reference edge: t along it from v1, h above it [m].
+struct EdgePoint
+{
+    float t;
+    float h;
+};
+
+EdgePoint in_frame_of_reference(const EdgePair& pair, Vec2 point)
+{
+    const Vec2 d = point - pair.reference.v1;
+    return {dot(d, left_perp(pair.normal)), dot(d, pair.normal)};
+}
+
+/// Halfway between the surfaces: the reference's lies at height reference_radius, the incident one's at h - incident_radius.
+void add_point(LocalManifold& manifold, const EdgePair& pair, EdgePoint point, std::uint32_t reference_index, std::uint32_t incident_index,
+               float margin)
+{
+    const float separation = point.h - pair.reference_radius - pair.incident_radius;
+    if (separation > margin) return;
+    const float middle = 0.5f * (point.h + pair.reference_radius - pair.incident_radius);
+    LocalPoint& added = manifold.points[static_cast<std::size_t>(manifold.count++)];
+    added.position = pair.origin + (pair.reference.v1 + (point.t * left_perp(pair.normal) + middle * pair.normal));
+    added.separation = separation;
+    added.feature = pair.reference_is_b ? feature_of(incident_index, reference_index) : feature_of(reference_index, incident_index);
+}
+
+/// Height where the incident edge crosses t; the ends lie on different sides of it.
+EdgePoint cut(EdgePoint a, EdgePoint b, float t) { return {t, a.h + (t - a.t) / (b.t - a.t) * (b.h - a.h)}; }
+
+/// The edges pass each other by beyond the corner `v` of the reference edge. While the cores are apart the normal joins the nearest
+/// corners; when they overlap, that line could point anywhere, and the deepest end is pushed out along the reference normal.
+LocalManifold pass_by(const EdgePair& pair, Vec2 v, std::uint32_t v_index, EdgePoint w1, EdgePoint w2, float margin)
+{
+    const Edge& w = pair.incident;
+    if (w1.h > 0 && w2.h > 0)
+    {
+        const bool first = length_squared(w.v1 - v) < length_squared(w.v2 - v);
+        return join_corners(pair, {v, first ? w.v1 : w.v2, v_index, first ? w.i1 : w.i2}, margin);
+    }
+    LocalManifold manifold;
+    manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
+    const bool first = w1.h < w2.h;
+    add_point(manifold, pair, first ? w1 : w2, v_index, first ? w.i1 : w.i2, margin);
+    return manifold;
+}
+
+} // namespace
+
+LocalManifold clip(const EdgePair& pair, float margin)
+{
+    const Edge& v = pair.reference;
+    const Edge& w = pair.incident;
+    const float length_t = dot(v.v2 - v.v1, left_perp(pair.normal));
+    const EdgePoint w1 = in_frame_of_reference(pair, w.v1);
+    const EdgePoint w2 = in_frame_of_reference(pair, w.v2);
+    const float start = -pair.slack;
+    const float end = length_t + pair.slack;
+    if (w1.t <= start && w2.t <= start) return pass_by(pair, v.v1, v.i1, w1, w2, margin);
+    if (w1.t >= end && w2.t >= end) return pass_by(pair, v.v2, v.i2, w1, w2, margin);
+
+    const EdgePoint lower = w2.t < start ? cut(w2, w1, start) : w2;
+    const EdgePoint upper = w1.t > end ? cut(w2, w1, end) : w1;
+    LocalManifold manifold;
+    manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
+    add_point(manifold, pair, lower, v.i1, w.i2, margin);
+    add_point(manifold, pair, upper, v.i2, w.i1, margin);
+    return manifold;
+}
+
+LocalManifold join_corners(const EdgePair& pair, const CornerPair& corners, float margin)
+{
+    LocalManifold manifold;
+    const Nearest nearest = nearest_from_foot(corners.reference, corners.incident, pair.normal);
+    const float separation = nearest.distance - pair.reference_radius - pair.incident_radius;
+    if (separation > margin) return manifold;
+    const float middle = 0.5f * (nearest.distance + pair.reference_radius - pair.incident_radius);
+    manifold.normal = pair.reference_is_b ? -nearest.normal : nearest.normal;
+    manifold.count = 1;
+    manifold.points[0].position = pair.origin + (corners.reference + middle * nearest.normal);
+    manifold.points[0].separation = separation;
+    manifold.points[0].feature = pair.reference_is_b ? feature_of(corners.incident_index, corners.reference_index)
+                                                     : feature_of(corners.reference_index, corners.incident_index);
+    return manifold;
+}
+
+} // namespace carom::detail

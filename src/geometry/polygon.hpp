@@ -1,0 +1,18 @@
+// Completes a polygon from its corners.
+#pragma once
+
+#include <carom/shape.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace carom::detail
+{
+
+/// Fills in normals and centroid, and validates.
+/// @param corners  3 to 8, convex and counter-clockwise [m]
+/// @param function on whose behalf, for errors
+/// @throws UsageError
+Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::string_view function);
+
+} // namespace carom::detail

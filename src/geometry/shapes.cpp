@@ -1,0 +1,170 @@
+// Makers of shapes, and what can be asked of a shape at a place: its bounds, and whether it holds a point.
+#include "geometry/nearest.hpp"
+#include "geometry/polygon.hpp"
+#include "geometry/validate.hpp"
+#include "math/usage_error.hpp"
+
+#include <carom/shape.hpp>
+
+#include <array>
+#include <cmath>
+#include <variant>
+
+namespace carom
+{
+
+namespace
+{
+
+/// Half the least side of a box's inner part [m], a little less so that rounding does not refuse the limit itself.
+constexpr float least_half_side = 0.4999e-3f;
+
+Polygon centered_box(float half_width, float half_height, float radius)
+{
+    Polygon polygon;
+    polygon.vertices = {{{-half_width, -half_height}, {half_width, -half_height}, {half_width, half_height}, {-half_width, half_height}}};
+    polygon.normals = {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+    polygon.radius = radius;
+    polygon.count = 4;
+    return polygon;
+}
+
+void check_sides(std::string_view function, float width, float height)
+{
+    detail::require_range(function, "width", width, detail::min_edge_length, max_coordinate);
+    detail::require_range(function, "height", height, detail::min_edge_length, max_coordinate);
+}
+
+/// Rounding of large coordinates may move corners, so normals and centroid are made anew from where the corners came to lie.
+Polygon moved(const Polygon& polygon, const Transform& transform, std::string_view function)
+{
+    std::array<Vec2, max_polygon_vertices> corners;
+    const std::size_t count = static_cast<std::size_t>(polygon.count);
+    for (std::size_t i = 0; i < count; ++i) corners[i] = transform * polygon.vertices[i];
+    return detail::polygon_from_corners({corners.data(), count}, polygon.radius, function);
+}
+
+void check_transform(std::string_view function, const Transform& transform)
+{
+    detail::require_within(function, "transform.p", transform.p, max_coordinate);
+    const Rot q = transform.q;
+    const float length2 = q.c * q.c + q.s * q.s;
+    if (!(length2 > 0.999f && length2 < 1.001f))
+    {
+        detail::usage_error(function, "transform.q", Vec2{q.c, q.s}, "give a unit rotation, as rotation() makes");
+    }
+}
+
+Aabb bounds_around(Vec2 a, Vec2 b, float radius) { return expanded({min(a, b), max(a, b)}, radius); }
+
+Aabb bounds_of(const Polygon& polygon, const Transform& transform)
+{
+    Vec2 lower = transform * polygon.vertices[0];
+    Vec2 upper = lower;
+    for (std::size_t i = 1; i < static_cast<std::size_t>(polygon.count); ++i)
+    {
+        const Vec2 v = transform * polygon.vertices[i];
+        lower = min(lower, v);
+        upper = max(upper, v);
+    }
+    return expanded({lower, upper}, polygon.radius);
+}
+
+} // namespace
+
+Circle circle(float radius, Vec2 center)
+{
+    const Circle made = {center, radius};
+    detail::validate(made, "circle", "");
+    return made;
+}
+
+Capsule capsule(Vec2 p1, Vec2 p2, float radius)
+{
+    const Capsule made = {p1, p2, radius};
+    detail::validate(made, "capsule", "");
+    return made;
+}
+
+Segment segment(Vec2 p1, Vec2 p2)
+{
+    const Segment made = {p1, p2};
+    detail::validate(made, "segment", "");
+    return made;
+}
+
+Polygon box(float width, float height)
+{
+    check_sides("box", width, height);
+    return centered_box(0.5f * width, 0.5f * height, 0);
+}
+
+Polygon rounded_box(float width, float height, float radius)
+{
+    check_sides("rounded_box", width, height);
+    detail::require_not_negative("rounded_box", "radius", radius);
+    const float inner_half_width = 0.5f * width - radius;
+    const float inner_half_height = 0.5f * height - radius;
+    if (!(inner_half_width >= least_half_side && inner_half_height >= least_half_side))
+    {
+        detail::usage_error("rounded_box", "radius", radius, "give a radius less than half of the shorter side by at least 0.5 mm");
+    }
+    return centered_box(inner_half_width, inner_half_height, radius);
+}
+
+Polygon offset_box(float width, float height, Vec2 center, float angle)
+{
+    check_sides("offset_box", width, height);
+    detail::require_within("offset_box", "center", center, max_coordinate);
+    detail::require_finite("offset_box", "angle", angle);
+    return moved(centered_box(0.5f * width, 0.5f * height, 0), {center, rotation(angle)}, "offset_box");
+}
+
+Geometry transformed(const Geometry& geometry, const Transform& transform)
+{
+    detail::validate(geometry, "transformed");
+    check_transform("transformed", transform);
+    if (const Polygon* p = std::get_if<Polygon>(&geometry)) return moved(*p, transform, "transformed");
+
+    Geometry result = geometry;
+    if (Circle* c = std::get_if<Circle>(&result)) c->center = transform * c->center;
+    if (Capsule* c = std::get_if<Capsule>(&result)) *c = {transform * c->p1, transform * c->p2, c->radius};
+    if (Segment* s = std::get_if<Segment>(&result)) *s = {transform * s->p1, transform * s->p2};
+    detail::validate(result, "transformed");
+    return result;
+}
+
+Aabb aabb_of(const Geometry& geometry, const Transform& transform)
+{
+    if (const Polygon* p = std::get_if<Polygon>(&geometry))
+    {
+        detail::require_vertex_count(*p, "aabb_of");
+        return bounds_of(*p, transform);
+    }
+    if (const Circle* c = std::get_if<Circle>(&geometry))
+    {
+        const Vec2 center = transform * c->center;
+        return bounds_around(center, center, c->radius);
+    }
+    if (const Capsule* c = std::get_if<Capsule>(&geometry)) return bounds_around(transform * c->p1, transform * c->p2, c->radius);
+    if (const Segment* s = std::get_if<Segment>(&geometry)) return bounds_around(transform * s->p1, transform * s->p2, 0);
+    return {transform.p, transform.p}; // a variant without a value: never made by this engine
+}
+
+bool contains(const Geometry& geometry, Vec2 local_point)
+{
+    if (const Polygon* p = std::get_if<Polygon>(&geometry))
+    {
+        detail::require_vertex_count(*p, "contains");
+        return detail::nearest_on_polygon(*p, local_point).distance <= p->radius;
+    }
+    if (const Circle* c = std::get_if<Circle>(&geometry)) return distance(c->center, local_point) <= c->radius;
+    if (const Capsule* c = std::get_if<Capsule>(&geometry))
+    {
+        return detail::nearest_on_segment(c->p1, c->p2, local_point).distance <= c->radius;
+    }
+    if (const Segment* s = std::get_if<Segment>(&geometry)) return detail::nearest_on_segment(s->p1, s->p2, local_point).distance <= 0;
+    return false;
+}
+
+} // namespace carom

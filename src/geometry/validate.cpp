@@ -1,0 +1,189 @@
+// The conditions that a shape must meet, and what to tell a user whose shape does not.
+#include "geometry/validate.hpp"
+#include "geometry/mass.hpp"
+#include "geometry/vec2d.hpp"
+#include "math/usage_error.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <variant>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+/// Corners that were 1 mm apart may have been rounded a little closer by a rotation.
+constexpr double least_distance = 0.999 * double{min_edge_length};
+
+/// A corner must lie this far inside every edge but its own [m]. Keeps the normals of neighbouring edges distinct; far below what
+/// convex_hull() leaves standing (tests: Validate.*, ConvexHull.RandomPointsGiveAValidHull).
+constexpr double least_convexity = 1e-5;
+
+/// How far a normal may be from the true one; users may have computed theirs in another way.
+constexpr double normal_tolerance = 1e-3;
+
+/// Whose shape it is. Names are put together only on failure: the checks themselves must not allocate.
+struct Subject
+{
+    std::string_view function;
+    std::string_view prefix;
+
+    std::string field(std::string_view name) const { return std::string(prefix).append(name); }
+    std::string field(std::string_view name, int index) const { return field(name) + "[" + std::to_string(index) + "]"; }
+};
+
+bool is_within_reach(Vec2 v) { return std::abs(v.x) <= max_coordinate && std::abs(v.y) <= max_coordinate; }
+
+void check_point(const Subject& subject, std::string_view name, Vec2 point)
+{
+    if (!is_within_reach(point)) require_within(subject.function, subject.field(name), point, max_coordinate);
+}
+
+void check_radius(const Subject& subject, float radius, bool may_be_zero)
+{
+    const bool is_good = (may_be_zero ? radius >= 0 : radius > 0) && radius <= max_coordinate;
+    if (is_good) return;
+    const std::string field = subject.field("radius");
+    if (may_be_zero)
+        require_not_negative(subject.function, field, radius);
+    else
+        require_positive(subject.function, field, radius);
+    require_range(subject.function, field, radius, 0.0f, max_coordinate);
+}
+
+void check_ends(const Subject& subject, Vec2 p1, Vec2 p2)
+{
+    check_point(subject, "p1", p1);
+    check_point(subject, "p2", p2);
+    if (length(Vec2d(p2) - Vec2d(p1)) < least_distance)
+    {
+        usage_error(subject.function, subject.field("p2"), p2, "give ends that are at least 1 mm apart");
+    }
+}
+
+/// Radii far below a nanometre have an area that float can't hold.
+void check_mass(const Subject& subject, const AreaMoments& moments, float radius)
+{
+    constexpr double least = std::numeric_limits<float>::min();
+    constexpr double most = std::numeric_limits<float>::max();
+    if (moments.area >= least && moments.polar >= least && moments.area <= most && moments.polar <= most) return;
+    usage_error(subject.function, subject.field("radius"), radius, "give a shape whose mass and inertia are neither zero nor infinite");
+}
+
+std::size_t next_index(const Polygon& polygon, std::size_t i) { return i + 1 < static_cast<std::size_t>(polygon.count) ? i + 1 : 0; }
+
+/// Every corner lies left of every edge that it does not end. Then each edge is an edge of the convex hull, in its direction, and so the
+/// polygon is the hull: no separate test of crossings or of the winding is needed.
+void check_convexity(const Subject& subject, const Polygon& polygon)
+{
+    const std::size_t count = static_cast<std::size_t>(polygon.count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::size_t next = next_index(polygon, i);
+        const Vec2d start(polygon.vertices[i]);
+        const Vec2d edge = Vec2d(polygon.vertices[next]) - start;
+        const double edge_length = length(edge);
+        if (edge_length < least_distance)
+        {
+            usage_error(subject.function, subject.field("vertices", static_cast<int>(next)), polygon.vertices[next],
+                        "give vertices that are at least 1 mm apart");
+        }
+        for (std::size_t j = 0; j < count; ++j)
+        {
+            if (j == i || j == next || cross(edge, Vec2d(polygon.vertices[j]) - start) >= least_convexity * edge_length) continue;
+            usage_error(subject.function, subject.field("vertices", static_cast<int>(j)), polygon.vertices[j],
+                        "give the corners of a convex polygon counter-clockwise, or use convex_hull()");
+        }
+    }
+}
+
+void check_normals(const Subject& subject, const Polygon& polygon)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i)
+    {
+        const Vec2d edge = Vec2d(polygon.vertices[next_index(polygon, i)]) - Vec2d(polygon.vertices[i]);
+        const Vec2d error = Vec2d(polygon.normals[i]) - unit(right_perp(edge));
+        if (dot(error, error) <= normal_tolerance * normal_tolerance) continue;
+        usage_error(subject.function, subject.field("normals", static_cast<int>(i)), polygon.normals[i],
+                    "give the outward unit normal of the edge, or use convex_hull()");
+    }
+}
+
+void check_centroid(const Subject& subject, const Polygon& polygon)
+{
+    check_point(subject, "centroid", polygon.centroid);
+    Aabb bounds = {polygon.vertices[0], polygon.vertices[0]};
+    for (std::size_t i = 1; i < static_cast<std::size_t>(polygon.count); ++i)
+    {
+        bounds = merge(bounds, {polygon.vertices[i], polygon.vertices[i]});
+    }
+    if (contains(expanded(bounds, min_edge_length), polygon.centroid)) return;
+    usage_error(subject.function, subject.field("centroid"), polygon.centroid, "give the centre of the area, or use convex_hull()");
+}
+
+} // namespace
+
+void validate(const Circle& circle, std::string_view function, std::string_view prefix)
+{
+    const Subject subject = {function, prefix};
+    check_point(subject, "center", circle.center);
+    check_radius(subject, circle.radius, false);
+    check_mass(subject, moments_of(circle), circle.radius);
+}
+
+void validate(const Capsule& capsule, std::string_view function, std::string_view prefix)
+{
+    const Subject subject = {function, prefix};
+    check_ends(subject, capsule.p1, capsule.p2);
+    check_radius(subject, capsule.radius, false);
+    check_mass(subject, moments_of(capsule), capsule.radius);
+}
+
+void validate(const Segment& segment, std::string_view function, std::string_view prefix)
+{
+    check_ends({function, prefix}, segment.p1, segment.p2);
+}
+
+void validate(const Polygon& polygon, std::string_view function, std::string_view prefix)
+{
+    const Subject subject = {function, prefix};
+    if (polygon.count < 3 || polygon.count > max_polygon_vertices)
+    {
+        require_range(function, subject.field("count"), polygon.count, 3, max_polygon_vertices);
+    }
+    check_radius(subject, polygon.radius, true);
+    for (int i = 0; i < polygon.count; ++i)
+    {
+        const Vec2 vertex = polygon.vertices[static_cast<std::size_t>(i)];
+        if (!is_within_reach(vertex)) require_within(function, subject.field("vertices", i), vertex, max_coordinate);
+    }
+    check_convexity(subject, polygon);
+    check_normals(subject, polygon);
+    check_centroid(subject, polygon);
+    check_mass(subject, moments_of(polygon), polygon.radius);
+}
+
+void validate(const Geometry& geometry, std::string_view function)
+{
+    switch (geometry.index())
+    {
+    case 0: return validate(*std::get_if<Circle>(&geometry), function, "circle.");
+    case 1: return validate(*std::get_if<Capsule>(&geometry), function, "capsule.");
+    case 2: return validate(*std::get_if<Segment>(&geometry), function, "segment.");
+    case 3: return validate(*std::get_if<Polygon>(&geometry), function, "polygon.");
+    default: usage_error(function, "geometry", "without a value", "give a shape");
+    }
+}
+
+void require_vertex_count(const Polygon& polygon, std::string_view function)
+{
+    if (polygon.count < 3 || polygon.count > max_polygon_vertices) [[unlikely]]
+    {
+        require_range(function, "polygon.count", polygon.count, 3, max_polygon_vertices);
+    }
+}
+
+} // namespace carom::detail

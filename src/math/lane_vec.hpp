@@ -1,0 +1,54 @@
+// Vectors and rotations whose components are lanes, with the operations that row kernels use.
+#pragma once
+
+#include "math/lanes.hpp"
+
+#include <carom/math.hpp>
+
+namespace carom::detail
+{
+
+template <class F>
+struct LaneVec
+{
+    F x;
+    F y;
+};
+
+template <class F>
+struct LaneRot
+{
+    F c;
+    F s;
+};
+
+template <class F>
+LaneVec<F> operator+(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x + b.x, a.y + b.y}; }
+template <class F>
+LaneVec<F> operator-(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x - b.x, a.y - b.y}; }
+template <class F>
+LaneVec<F> operator*(const LaneVec<F>& a, const F& s) { return {a.x * s, a.y * s}; }
+/// Component by component: an inverse mass by axis times an impulse.
+template <class F>
+LaneVec<F> scale(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x * b.x, a.y * b.y}; }
+template <class F>
+F dot(const LaneVec<F>& a, const LaneVec<F>& b) { return a.x * b.x + a.y * b.y; }
+template <class F>
+F cross(const LaneVec<F>& a, const LaneVec<F>& b) { return a.x * b.y - a.y * b.x; }
+/// w e_z x a
+template <class F>
+LaneVec<F> cross(const F& w, const LaneVec<F>& a) { return {-w * a.y, w * a.x}; }
+template <class F>
+LaneVec<F> right_perp(const LaneVec<F>& a) { return {a.y, -a.x}; }
+template <class F>
+LaneVec<F> rotate(const LaneRot<F>& q, const LaneVec<F>& v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
+
+/// Writes one lane of a vector.
+template <class F>
+void set_lane(LaneVec<F>& v, int i, Vec2 value)
+{
+    lane(v.x, i) = value.x;
+    lane(v.y, i) = value.y;
+}
+
+} // namespace carom::detail

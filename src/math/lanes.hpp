@@ -1,0 +1,34 @@
+// Numbers that a row kernel works on: `float` is one lane; a vector type of several lanes offers the same functions.
+// A kernel uses only arithmetic operators, comparisons, and what stands here, so that it reads the same for every width.
+#pragma once
+
+#include <cmath>
+
+namespace carom::detail
+{
+
+/// What a kernel needs to know of its lane type.
+template <class F>
+struct LaneTraits;
+
+template <>
+struct LaneTraits<float>
+{
+    static constexpr int width = 1;
+    using Mask = bool;
+};
+
+template <class F>
+inline constexpr int lane_width = LaneTraits<F>::width;
+
+/// Lane by lane: where the mask is set the first, else the second.
+inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
+inline float lane_max(float a, float b) { return a > b ? a : b; }
+inline float lane_min(float a, float b) { return a < b ? a : b; }
+inline float lane_sqrt(float a) { return std::sqrt(a); }
+
+/// One lane of a number, for gather and scatter.
+inline float& lane(float& f, int) { return f; }
+inline float lane(const float& f, int) { return f; }
+
+} // namespace carom::detail

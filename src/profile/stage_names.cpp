@@ -1,0 +1,27 @@
+// The stages' names as people read them.
+#include <carom/report.hpp>
+
+namespace carom
+{
+
+std::string_view name_of(Stage stage)
+{
+    switch (stage)
+    {
+    case Stage::FindPairs: return "find pairs";
+    case Stage::UpdateManifolds: return "update manifolds";
+    case Stage::BuildRows: return "build rows";
+    case Stage::IntegrateVelocities: return "integrate velocities";
+    case Stage::WarmStart: return "warm start";
+    case Stage::Solve: return "solve";
+    case Stage::IntegratePositions: return "integrate positions";
+    case Stage::Relax: return "relax";
+    case Stage::Restitution: return "restitution";
+    case Stage::StoreImpulses: return "store impulses";
+    case Stage::FinalizeBodies: return "finalize bodies";
+    case Stage::EmitEvents: return "emit events";
+    }
+    return "?";
+}
+
+} // namespace carom

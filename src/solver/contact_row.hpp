@@ -1,0 +1,213 @@
+// The contact row: non-penetration, friction and rolling resistance of one contact, written once for every lane width.
+//
+//            n                 A pair is always A, B; n points from A to B, t = right_perp(n).
+//         B  |                 r_a, r_b: from the centres of mass to the point, fixed over the step
+//     -------+----- t          vn = n . dv,  vt = t . dv,  dv = v_b + w_b x r_b - v_a - w_a x r_a
+//         A                    impulse P = lambda_n n + lambda_t t acts on B at r_b, and -P on A at r_a
+//
+// Inverse masses are vectors, one component an axis, so that a body locked on one axis answers exactly on the other:
+//   1 / m_n = n . (M_a^-1 + M_b^-1) n + I_a^-1 (r_a x n)^2 + I_b^-1 (r_b x n)^2
+// @source E. Catto, "Solver2D", 2024 (soft steps with relaxation)
+#pragma once
+
+#include "math/lane_vec.hpp"
+#include "solver/body_lanes.hpp"
+
+#include <array>
+
+namespace carom::detail
+{
+
+/// Unknowns and constants of one point.
+template <class F>
+struct PointRow
+{
+    LaneVec<F> r_a;
+    LaneVec<F> r_b;
+    F adjusted_separation; ///< s - n . (r_b - r_a): what is left is n . (way of the point on B - on A)
+    F normal_velocity;     ///< vn at the start of the step, for restitution
+    F normal_mass;         ///< m_n
+    F tangent_mass;        ///< m_t
+    F lambda_n;            ///< of this substep
+    F lambda_t;            ///< of this substep
+    F total_n;             ///< over the step so far
+    F total_t;             ///< over the step so far
+};
+
+/// A contact of `Points` points in each lane.
+template <class F, int Points>
+struct ContactRow
+{
+    static constexpr int points_per_contact = Points;
+
+    BodyIndices<F> body_a;
+    BodyIndices<F> body_b;
+    LaneVec<F> inv_mass_a;
+    LaneVec<F> inv_mass_b;
+    F inv_inertia_a;
+    F inv_inertia_b;
+    LaneVec<F> n;
+    F friction;
+    F restitution;
+    F tangent_speed;
+    F rolling_resistance;
+    F rolling_mass;
+    F rolling_lambda;
+    F rolling_total;
+    F bias_rate; // softness
+    F mass_scale;
+    F impulse_scale;
+    F carried; ///< lambda_c of each point
+    std::array<PointRow<F>, Points> points;
+    std::array<std::uint32_t, lane_width<F>> contact; ///< where the lane's results go back to
+};
+
+/// What the kernels of a pass share.
+template <class F>
+struct PassConstants
+{
+    F inv_h;
+    F push_out_speed;
+    F restitution_threshold;
+};
+
+template <class F, int N>
+void apply_impulse(const ContactRow<F, N>& row, const PointRow<F>& point, const LaneVec<F>& impulse, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    a.v = a.v - scale(row.inv_mass_a, impulse);
+    a.w = a.w - row.inv_inertia_a * cross(point.r_a, impulse);
+    b.v = b.v + scale(row.inv_mass_b, impulse);
+    b.w = b.w + row.inv_inertia_b * cross(point.r_b, impulse);
+}
+
+/// dv at the point.
+template <class F>
+LaneVec<F> relative_velocity(const PointRow<F>& point, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    return (b.v + cross(b.w, point.r_b)) - (a.v + cross(a.w, point.r_a));
+}
+
+/// Applies the impulses of the substep before.
+template <class F, int N>
+void warm_start(const ContactRow<F, N>& row, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const LaneVec<F> t = right_perp(row.n);
+    for (const PointRow<F>& point : row.points) apply_impulse(row, point, row.n * point.lambda_n + t * point.lambda_t, a, b);
+    a.w = a.w - row.inv_inertia_a * row.rolling_lambda;
+    b.w = b.w + row.inv_inertia_b * row.rolling_lambda;
+}
+
+/// Non-penetration: s >= 0, lambda_n >= 0, complementary. With the separation at the end of the substep s + h vn:
+///   apart (s > 0):     lambda_n = max(lambda_n - m_n (vn + s / h), 0)          stops the body at the surface, not before
+///   overlapping:       lambda_n = max(lambda_n - m_n mu (vn + max(beta s, -push out)) - gamma (lambda_n - lambda_c), 0)
+/// A spring alone would sag under a load by gamma lambda_n / (m_n mu beta); lambda_c, what the contact has been carrying, is what
+/// its rest length is corrected for.
+/// The relaxing pass has no bias against overlap and is rigid: it takes back the speed that the push added.
+template <bool WithBias, class F, int N>
+void solve_normal(const ContactRow<F, N>& row, PointRow<F>& point, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const LaneVec<F> way = (b.dp + rotate(b.dq, point.r_b)) - (a.dp + rotate(a.dq, point.r_a));
+    const F s = dot(way, row.n) + point.adjusted_separation;
+    const auto is_apart = s > F(0);
+
+    F bias = select(is_apart, s * k.inv_h, F(0));
+    F mass_scale = F(1);
+    F impulse_scale = F(0);
+    if constexpr (WithBias)
+    {
+        bias = select(is_apart, bias, lane_max(row.bias_rate * s, -k.push_out_speed));
+        mass_scale = select(is_apart, F(1), row.mass_scale);
+        impulse_scale = select(is_apart, F(0), row.impulse_scale);
+    }
+
+    const F vn = dot(relative_velocity(point, a, b), row.n);
+    const F give = impulse_scale * (point.lambda_n - row.carried);
+    const F next = lane_max(point.lambda_n - point.normal_mass * mass_scale * (vn + bias) - give, F(0));
+    const F change = next - point.lambda_n;
+    point.lambda_n = next;
+    apply_impulse(row, point, row.n * change, a, b);
+}
+
+/// Coulomb friction: |lambda_t| <= mu lambda_n, against the slip beyond the surfaces' own speed.
+template <class F, int N>
+void solve_friction(const ContactRow<F, N>& row, PointRow<F>& point, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const LaneVec<F> t = right_perp(row.n);
+    const F vt = dot(relative_velocity(point, a, b), t);
+    const F limit = row.friction * point.lambda_n;
+    const F next = lane_max(-limit, lane_min(point.lambda_t - point.tangent_mass * (vt - row.tangent_speed), limit));
+    const F change = next - point.lambda_t;
+    point.lambda_t = next;
+    apply_impulse(row, point, t * change, a, b);
+}
+
+/// Rolling resistance: |lambda_r| <= c lambda_n, against relative spin.
+template <class F, int N>
+void solve_rolling(ContactRow<F, N>& row, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    F pressure = F(0);
+    for (const PointRow<F>& point : row.points) pressure = pressure + point.lambda_n;
+    const F limit = row.rolling_resistance * pressure;
+    const F next = lane_max(-limit, lane_min(row.rolling_lambda - row.rolling_mass * (b.w - a.w), limit));
+    const F change = next - row.rolling_lambda;
+    row.rolling_lambda = next;
+    a.w = a.w - row.inv_inertia_a * change;
+    b.w = b.w + row.inv_inertia_b * change;
+}
+
+/// The biased pass of a substep.
+template <class F, int N>
+void solve(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    for (PointRow<F>& point : row.points) solve_normal<true>(row, point, k, a, b);
+}
+
+/// The relaxing pass of a substep. Non-penetration comes first: it takes back what the bias pushed, and friction and rolling are
+/// limited by the load that is left, not by the push.
+template <class F, int N>
+void relax(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    for (PointRow<F>& point : row.points) solve_normal<false>(row, point, k, a, b);
+    for (PointRow<F>& point : row.points) solve_friction(row, point, a, b);
+    solve_rolling(row, a, b);
+
+    row.rolling_total = row.rolling_total + row.rolling_lambda;
+    for (PointRow<F>& point : row.points)
+    {
+        point.total_n = point.total_n + point.lambda_n;
+        point.total_t = point.total_t + point.lambda_t;
+    }
+}
+
+/// Newton's bounce, once a step: a point that met faster than the threshold and was pushed leaves with vn = -e vn_start. The two
+/// points of a face push against each other, so they are visited until they agree (each visit takes off 96% of the error for a
+/// square). Such an impulse is no guess for the next step, where the surfaces part, so that it does not warm start.
+template <class F, int N>
+void bounce(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    constexpr int visits = N == 1 ? 1 : 4;
+    std::array<F, N> pushed = {};
+    for (int visit = 0; visit < visits; ++visit)
+    {
+        for (std::size_t i = 0; i < N; ++i)
+        {
+            PointRow<F>& point = row.points[i];
+            const auto bounces = (point.normal_velocity < -k.restitution_threshold) & (point.total_n > F(0)) & (row.restitution > F(0));
+            const F vn = dot(relative_velocity(point, a, b), row.n);
+            const F wanted = lane_max(pushed[i] - point.normal_mass * (vn + row.restitution * point.normal_velocity), F(0));
+            const F next = select(bounces, wanted, F(0));
+            apply_impulse(row, point, row.n * (next - pushed[i]), a, b);
+            pushed[i] = next;
+        }
+    }
+    for (std::size_t i = 0; i < N; ++i)
+    {
+        PointRow<F>& point = row.points[i];
+        const auto has_bounced = pushed[i] > F(0);
+        point.total_n = point.total_n + pushed[i];
+        point.lambda_n = select(has_bounced, F(0), point.lambda_n);
+        point.lambda_t = select(has_bounced, F(0), point.lambda_t);
+    }
+}
+
+} // namespace carom::detail

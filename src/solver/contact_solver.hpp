@@ -1,0 +1,64 @@
+// Solves all contacts of a step: builds their rows colour by colour, runs the passes, and stores the impulses.
+#pragma once
+
+#include "dynamics/body_store.hpp"
+#include "dynamics/contact_store.hpp"
+#include "solver/contact_colors.hpp"
+#include "solver/contact_row.hpp"
+#include "solver/softness.hpp"
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// The rows of a step in lanes of type F. Contacts of one point and of two have rows of their own, so that neither carries what it
+/// does not use. Definitions are in contact_solver_impl.hpp; one source file a lane type instantiates them.
+template <class F>
+class ContactSolver
+{
+public:
+    explicit ContactSolver(std::pmr::memory_resource& memory) : single_(&memory), double_(&memory), ranges_(&memory) {}
+
+    /// Makes a row of every contact that has a colour.
+    void build(const ContactColors& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants);
+
+    void warm_start(std::span<BodyMotion> motions);
+    void solve(std::span<BodyMotion> motions);
+    void relax(std::span<BodyMotion> motions);
+    void bounce(std::span<BodyMotion> motions);
+
+    void store_impulses(ContactStore& contacts) const;
+
+    int row_count() const { return row_count_; }
+
+private:
+    /// The rows of one colour.
+    struct ColorRange
+    {
+        std::size_t first_single;
+        std::size_t end_single;
+        std::size_t first_double;
+        std::size_t end_double;
+    };
+
+    template <class Kernel>
+    void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
+    void build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
+                     const ContactConstants& constants);
+
+    std::pmr::vector<ContactRow<F, 1>> single_;
+    std::pmr::vector<ContactRow<F, 2>> double_;
+    std::pmr::vector<ColorRange> ranges_;
+    PassConstants<F> pass_ = {};
+    int row_count_ = 0;
+    float carry_share_ = 0;
+    bool any_bounces_ = false;
+};
+
+extern template class ContactSolver<float>;
+
+} // namespace carom::detail

@@ -1,0 +1,211 @@
+// Definitions of ContactSolver, for the source files that instantiate it.
+#pragma once
+
+#include "solver/contact_solver.hpp"
+
+namespace carom::detail
+{
+
+/// Writes point `point` of a contact into lane `i` of its row, whose bodies and normal are there already.
+template <class F, int N>
+void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPointState& point, Vec2 n, const BodyMotion& a,
+                const BodyMotion& b, const BodyMass& mass_a, const BodyMass& mass_b, float warm_scale)
+{
+    // 1 / m along a direction u.
+    const auto effective_mass = [&](Vec2 u)
+    {
+        const Vec2 inv_mass = mass_a.inv_mass + mass_b.inv_mass;
+        const float arm_a = cross(point.r_a, u);
+        const float arm_b = cross(point.r_b, u);
+        const float k = inv_mass.x * u.x * u.x + inv_mass.y * u.y * u.y + mass_a.inv_inertia * arm_a * arm_a + mass_b.inv_inertia * arm_b * arm_b;
+        return k > 0 ? 1 / k : 0.0f;
+    };
+    const Vec2 dv = (b.v + cross(b.w, point.r_b)) - (a.v + cross(a.w, point.r_a));
+
+    PointRow<F>& out = row.points[index];
+    set_lane(out.r_a, i, point.r_a);
+    set_lane(out.r_b, i, point.r_b);
+    lane(out.adjusted_separation, i) = point.separation - dot(point.r_b - point.r_a, n);
+    lane(out.normal_velocity, i) = dot(dv, n);
+    lane(out.normal_mass, i) = effective_mass(n);
+    lane(out.tangent_mass, i) = effective_mass(carom::right_perp(n));
+    lane(out.lambda_n, i) = warm_scale * point.normal_impulse;
+    lane(out.lambda_t, i) = warm_scale * point.tangent_impulse;
+}
+
+/// Writes a contact into lane `i` of a row.
+template <class F, int N>
+void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
+              const ContactConstants& constants)
+{
+    const Contact& contact = contacts.contacts[slot];
+    const ContactManifold& manifold = contacts.manifolds[slot];
+    const std::uint32_t index_a = bodies.motion_index[contact.body_a];
+    const std::uint32_t index_b = bodies.motion_index[contact.body_b];
+    const BodyMass& mass_a = bodies.masses[index_a];
+    const BodyMass& mass_b = bodies.masses[index_b];
+    const float spin_resistance = mass_a.inv_inertia + mass_b.inv_inertia;
+    const bool with_static = mass_a.inv_mass == Vec2{} || mass_b.inv_mass == Vec2{};
+    const Softness& softness = with_static ? constants.with_static : constants.between_dynamic;
+
+    const std::size_t at = static_cast<std::size_t>(i);
+    row.contact[at] = slot;
+    row.body_a[at] = index_a;
+    row.body_b[at] = index_b;
+    set_lane(row.inv_mass_a, i, mass_a.inv_mass);
+    set_lane(row.inv_mass_b, i, mass_b.inv_mass);
+    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
+    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
+    set_lane(row.n, i, manifold.normal);
+    lane(row.friction, i) = contact.friction;
+    lane(row.restitution, i) = contact.restitution;
+    lane(row.tangent_speed, i) = contact.tangent_speed;
+    lane(row.rolling_resistance, i) = contact.rolling_resistance;
+    lane(row.rolling_mass, i) = spin_resistance > 0 ? 1 / spin_resistance : 0.0f;
+    lane(row.rolling_lambda, i) = constants.warm_scale * manifold.rolling_impulse;
+    lane(row.bias_rate, i) = softness.bias_rate;
+    lane(row.mass_scale, i) = softness.mass_scale;
+    lane(row.impulse_scale, i) = softness.impulse_scale;
+    lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
+    for (std::size_t p = 0; p < N; ++p)
+        fill_point(row, i, p, manifold.points[p], manifold.normal, bodies.motions[index_a], bodies.motions[index_b], mass_a, mass_b,
+                   constants.warm_scale);
+}
+
+/// Puts contacts one after the other into the lanes of rows; a last row's free lanes stay zero and push nothing.
+template <class F, int N>
+class RowWriter
+{
+public:
+    /// @param lanes how many lanes of a row to use: all, or one where contacts depend on each other
+    RowWriter(std::pmr::vector<ContactRow<F, N>>& rows, int lanes) : rows_(&rows), lanes_(lanes), next_(lanes) {}
+
+    void write(std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants)
+    {
+        if (next_ == lanes_)
+        {
+            rows_->emplace_back(ContactRow<F, N>{}).contact.fill(null_index);
+            next_ = 0;
+        }
+        fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
+    }
+
+private:
+    std::pmr::vector<ContactRow<F, N>>* rows_;
+    int lanes_;
+    int next_;
+};
+
+template <class F>
+void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
+                                   const ContactConstants& constants)
+{
+    if (color.empty()) return;
+    ColorRange range = {single_.size(), 0, double_.size(), 0};
+    RowWriter<F, 1> single(single_, lanes);
+    RowWriter<F, 2> pairs(double_, lanes);
+    for (const std::uint32_t slot : color)
+    {
+        if (contacts.manifolds[slot].count == 1) single.write(slot, bodies, contacts, constants);
+        else pairs.write(slot, bodies, contacts, constants);
+        any_bounces_ = any_bounces_ || contacts.contacts[slot].restitution > 0;
+    }
+    range.end_single = single_.size();
+    range.end_double = double_.size();
+    ranges_.push_back(range);
+    row_count_ += static_cast<int>(color.size());
+}
+
+template <class F>
+void ContactSolver<F>::build(const ContactColors& colors, const BodyStore& bodies, const ContactStore& contacts,
+                             const ContactConstants& constants)
+{
+    single_.clear();
+    double_.clear();
+    ranges_.clear();
+    row_count_ = 0;
+    any_bounces_ = false;
+    carry_share_ = constants.carry_share;
+    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold)};
+
+    build_color(colors.contacts_of(overflow_color), 1, bodies, contacts, constants);
+    for (int color = 0; color < overflow_color; ++color) build_color(colors.contacts_of(color), lane_width<F>, bodies, contacts, constants);
+}
+
+template <class F>
+template <class Kernel>
+void ContactSolver<F>::for_each_row(std::span<BodyMotion> motions, Kernel&& kernel)
+{
+    const auto run = [&](auto& row)
+    {
+        BodyLanes<F> a = gather<F>(motions, row.body_a);
+        BodyLanes<F> b = gather<F>(motions, row.body_b);
+        kernel(row, a, b);
+        scatter<F>(motions, row.body_a, a);
+        scatter<F>(motions, row.body_b, b);
+    };
+    for (const ColorRange& range : ranges_)
+    {
+        for (std::size_t i = range.first_single; i < range.end_single; ++i) run(single_[i]);
+        for (std::size_t i = range.first_double; i < range.end_double; ++i) run(double_[i]);
+    }
+}
+
+template <class F>
+void ContactSolver<F>::warm_start(std::span<BodyMotion> motions)
+{
+    for_each_row(motions, [](auto& row, auto& a, auto& b) { detail::warm_start(row, a, b); });
+}
+
+template <class F>
+void ContactSolver<F>::solve(std::span<BodyMotion> motions)
+{
+    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::solve(row, pass_, a, b); });
+}
+
+template <class F>
+void ContactSolver<F>::relax(std::span<BodyMotion> motions)
+{
+    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::relax(row, pass_, a, b); });
+}
+
+template <class F>
+void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
+{
+    if (!any_bounces_) return;
+    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::bounce(row, pass_, a, b); });
+}
+
+template <class F>
+void ContactSolver<F>::store_impulses(ContactStore& contacts) const
+{
+    const auto store = [&](const auto& row)
+    {
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const std::uint32_t slot = row.contact[static_cast<std::size_t>(i)];
+            if (slot == null_index) continue;
+            ContactManifold& manifold = contacts.manifolds[slot];
+            manifold.rolling_impulse = lane(row.rolling_lambda, i);
+            manifold.total_rolling = lane(row.rolling_total, i);
+            // The mean of the points: followed one by one, they would amplify a tower's rocking.
+            float load = 0;
+            for (std::size_t p = 0; p < row.points.size(); ++p)
+            {
+                ContactPointState& point = manifold.points[p];
+                point.normal_impulse = lane(row.points[p].lambda_n, i);
+                point.tangent_impulse = lane(row.points[p].lambda_t, i);
+                point.total_normal = lane(row.points[p].total_n, i);
+                point.total_tangent = lane(row.points[p].total_t, i);
+                point.normal_velocity = lane(row.points[p].normal_velocity, i);
+                load += point.normal_impulse / static_cast<float>(row.points.size());
+            }
+            const float carried = lane(row.carried, i);
+            manifold.carried_impulse = carried + carry_share_ * (carried_part * load - carried);
+        }
+    };
+    for (const auto& row : single_) store(row);
+    for (const auto& row : double_) store(row);
+}
+
+} // namespace carom::detail

@@ -1,0 +1,71 @@
+// Soft constraints: a row that gives way like a spring and a damper, stable at any stiffness.
+#pragma once
+
+#include <carom/math.hpp>
+#include <carom/world.hpp>
+
+#include <algorithm>
+
+namespace carom::detail
+{
+
+/// How a row undoes its error C over one substep:
+///   lambda = -mass_scale m (Jv + bias_rate C) - impulse_scale lambda_before
+/// With omega = 2 pi hertz, damping ratio zeta and substep h, implicit integration of a spring and a damper gives
+///   bias_rate = omega / (2 zeta + h omega),  a = h omega (2 zeta + h omega),  mass_scale = a / (1 + a),  impulse_scale = 1 / (1 + a)
+/// @source E. Catto, "Soft Constraints", GDC 2011
+struct Softness
+{
+    float bias_rate = 0;     ///< [1/s]
+    float mass_scale = 1;    ///< 1 is rigid
+    float impulse_scale = 0; ///< 0 is rigid
+};
+
+/// @param hertz natural frequency [1/s], > 0
+/// @param h     substep [s]
+inline Softness make_softness(float hertz, float damping_ratio, float h)
+{
+    const float omega = 2 * pi * hertz;
+    const float damping = 2 * damping_ratio + h * omega;
+    const float a = h * omega * damping;
+    return {.bias_rate = omega / damping, .mass_scale = a / (1 + a), .impulse_scale = 1 / (1 + a)};
+}
+
+/// What the contact rows of a step share.
+struct ContactConstants
+{
+    float h = 0;                     ///< substep [s]
+    float inv_h = 0;                 ///< [1/s]
+    float push_out_speed = 0;        ///< [m/s]
+    float restitution_threshold = 0; ///< [m/s]
+    float carry_share = 0;           ///< see carried_impulse: weight of this step's load in its running mean
+    float warm_scale = 1;            ///< this substep over the one before: impulses are forces times substeps
+    Softness between_dynamic;
+    Softness with_static; ///< twice as stiff: the ground does not give way
+};
+
+/// How much of a lasting load the rest length of a contact's spring is corrected for. At 1 nothing would sag, and two walls that squeeze a
+/// body would push harder without end; at 0.8 all sags are a fifth of the plain spring's.
+inline constexpr float carried_part = 0.8f;
+
+/// How fast that correction follows the load [1/s]: slower than a tower sways, or it would drive the swaying. stacking_test breaks.
+inline constexpr float carry_rate = 1.2f;
+
+/// @param dt       step [s]
+/// @param h        substep [s]
+/// @param h_before substep of the last step [s]; 0 when there was none
+inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before)
+{
+    // A spring is integrated well up to an eighth of the substep rate; stiffer ones ring.
+    const float hertz = std::min(tuning.contact_hertz, 0.125f / h);
+    return {.h = h,
+            .inv_h = 1 / h,
+            .push_out_speed = tuning.push_out_speed,
+            .restitution_threshold = tuning.restitution_threshold,
+            .carry_share = carry_rate * dt / (1 + carry_rate * dt),
+            .warm_scale = h_before > 0 ? h / h_before : 0.0f,
+            .between_dynamic = make_softness(hertz, tuning.contact_damping_ratio, h),
+            .with_static = make_softness(2 * hertz, tuning.contact_damping_ratio, h)};
+}
+
+} // namespace carom::detail

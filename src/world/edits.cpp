@@ -1,0 +1,190 @@
+// Keeps the stores, the broad phase, the pairs and the colours consistent while bodies and shapes come, go and change.
+#include "world/edits.hpp"
+
+#include "dynamics/finalize_bodies.hpp"
+
+namespace carom::detail
+{
+
+namespace
+{
+
+ProxyKind kind_of(const WorldState& world, std::uint32_t body)
+{
+    return world.bodies.records[body].type == BodyType::Static ? ProxyKind::Static : ProxyKind::Moving;
+}
+
+/// A shape has a proxy while its body is enabled.
+void insert_proxy(WorldState& world, std::uint32_t shape)
+{
+    const std::uint32_t body = world.shapes.records[shape].body;
+    ShapeBounds& bounds = world.shapes.bounds[shape];
+    bounds.tight = aabb_of(world.shapes.geometry[shape], world.bodies.poses[body].transform);
+    bounds.fat = fattened(bounds.tight, {});
+    world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
+    world.shapes.mark_moved(shape);
+}
+
+void remove_proxy(WorldState& world, std::uint32_t shape)
+{
+    world.broad_phase->remove(shape);
+    world.shapes.unmark_moved(shape);
+}
+
+template <class Action>
+void for_each_shape(const WorldState& world, std::uint32_t body, Action&& action)
+{
+    std::uint32_t shape = world.bodies.records[body].first_shape;
+    while (shape != null_index)
+    {
+        const std::uint32_t next = world.shapes.records[shape].next_of_body;
+        action(shape);
+        shape = next;
+    }
+}
+
+void link_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
+{
+    BodyRecord& record = world.bodies.records[body];
+    world.shapes.records[shape].previous_of_body = record.last_shape;
+    if (record.last_shape != null_index) world.shapes.records[record.last_shape].next_of_body = shape;
+    else record.first_shape = shape;
+    record.last_shape = shape;
+    ++record.shape_count;
+}
+
+void unlink_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
+{
+    BodyRecord& record = world.bodies.records[body];
+    const std::uint32_t previous = world.shapes.records[shape].previous_of_body;
+    const std::uint32_t next = world.shapes.records[shape].next_of_body;
+    (previous != null_index ? world.shapes.records[previous].next_of_body : record.first_shape) = next;
+    (next != null_index ? world.shapes.records[next].previous_of_body : record.last_shape) = previous;
+    --record.shape_count;
+}
+
+} // namespace
+
+std::uint32_t create_body(WorldState& world, const BodyDef& def)
+{
+    return world.bodies.create(def);
+}
+
+std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def)
+{
+    const std::uint32_t shape = world.shapes.create(body, geometry, def);
+    link_shape(world, body, shape);
+    if (world.bodies.records[body].is_enabled) insert_proxy(world, shape);
+    else world.shapes.bounds[shape].tight = aabb_of(geometry, world.bodies.poses[body].transform);
+    MassData& mass = world.bodies.records[body].shapes_mass;
+    mass = combined(mass, mass_of(geometry, def.density));
+    world.bodies.refresh_mass(body);
+    return shape;
+}
+
+void destroy_shape(WorldState& world, std::uint32_t shape)
+{
+    const std::uint32_t body = world.shapes.records[shape].body;
+    destroy_contacts_of_shape(world, shape);
+    if (world.bodies.records[body].is_enabled) remove_proxy(world, shape);
+    unlink_shape(world, body, shape);
+    world.shapes.destroy(shape);
+    refresh_mass(world, body);
+}
+
+void destroy_body(WorldState& world, std::uint32_t body)
+{
+    destroy_contacts_of_body(world, body);
+    const bool has_proxies = world.bodies.records[body].is_enabled;
+    for_each_shape(world, body,
+                   [&](std::uint32_t shape)
+                   {
+                       if (has_proxies) remove_proxy(world, shape);
+                       world.shapes.destroy(shape);
+                   });
+    world.bodies.destroy(body);
+}
+
+void destroy_contact(WorldState& world, std::uint32_t contact)
+{
+    const Contact& pair = world.contacts.contacts[contact];
+    note_end(pair, world.shapes, world.world, world.events);
+    world.colors.remove(contact, world.contacts, world.bodies);
+    world.pairs.erase({pair.shape_a, pair.shape_b});
+    world.contacts.destroy(contact, world.bodies);
+}
+
+void destroy_contacts_of_body(WorldState& world, std::uint32_t body)
+{
+    while (world.bodies.records[body].first_contact != null_index) destroy_contact(world, world.bodies.records[body].first_contact / 2);
+}
+
+void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape)
+{
+    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
+    while (edge != null_index)
+    {
+        const Contact& pair = world.contacts.contacts[edge / 2];
+        const std::uint32_t next = pair.next[edge % 2];
+        if (pair.shape_a == shape || pair.shape_b == shape) destroy_contact(world, edge / 2);
+        edge = next;
+    }
+}
+
+void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
+{
+    if (world.bodies.records[body].type == type) return;
+    destroy_contacts_of_body(world, body);
+    world.bodies.records[body].type = type;
+    refresh_mass(world, body);
+    if (world.bodies.records[body].is_enabled) for_each_shape(world, body, [&](std::uint32_t shape) { renew_proxy(world, shape); });
+}
+
+void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
+{
+    if (world.bodies.records[body].is_enabled == is_enabled) return;
+    destroy_contacts_of_body(world, body);
+    world.bodies.records[body].is_enabled = is_enabled;
+    world.bodies.refresh(body);
+    for_each_shape(world, body, [&](std::uint32_t shape) { is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape); });
+}
+
+void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform)
+{
+    world.bodies.set_transform(body, transform);
+    if (world.bodies.records[body].is_enabled)
+        refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
+    else
+        for_each_shape(world, body, [&](std::uint32_t shape)
+                       { world.shapes.bounds[shape].tight = aabb_of(world.shapes.geometry[shape], transform); });
+}
+
+void refresh_mass(WorldState& world, std::uint32_t body)
+{
+    MassData sum;
+    for_each_shape(world, body, [&](std::uint32_t shape)
+                   { sum = combined(sum, mass_of(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
+    world.bodies.records[body].shapes_mass = sum;
+    world.bodies.refresh_mass(body);
+}
+
+void renew_proxy(WorldState& world, std::uint32_t shape)
+{
+    remove_proxy(world, shape);
+    insert_proxy(world, shape);
+}
+
+void set_broad_phase(WorldState& world, BroadPhaseType type, const BroadPhaseOptions& options)
+{
+    BroadPhasePtr next = make_broad_phase(type, options, world.memory);
+    for (std::uint32_t shape = 0; shape < world.shapes.slots.size(); ++shape)
+    {
+        if (!world.shapes.slots.is_live(shape)) continue;
+        const std::uint32_t body = world.shapes.records[shape].body;
+        if (world.bodies.records[body].is_enabled) next->insert(shape, world.shapes.bounds[shape].fat, kind_of(world, body));
+    }
+    world.broad_phase = std::move(next);
+    world.broad_phase_options = options;
+}
+
+} // namespace carom::detail

@@ -1,0 +1,29 @@
+// Changes to a world between steps. The arguments are checked already; see validate.hpp.
+#pragma once
+
+#include "world/world_state.hpp"
+
+namespace carom::detail
+{
+
+std::uint32_t create_body(WorldState& world, const BodyDef& def);
+std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
+void destroy_body(WorldState& world, std::uint32_t body);
+void destroy_shape(WorldState& world, std::uint32_t shape);
+
+/// Ends a contact: its event, its colour, its pair, its place.
+void destroy_contact(WorldState& world, std::uint32_t contact);
+void destroy_contacts_of_body(WorldState& world, std::uint32_t body);
+void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape);
+
+void set_body_type(WorldState& world, std::uint32_t body, BodyType type);
+void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled);
+void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform);
+/// Sums the shapes' masses anew.
+void refresh_mass(WorldState& world, std::uint32_t body);
+
+/// Takes a shape out of the broad phase and puts it back with its present bounds, so that its pairs are judged anew.
+void renew_proxy(WorldState& world, std::uint32_t shape);
+void set_broad_phase(WorldState& world, BroadPhaseType type, const BroadPhaseOptions& options);
+
+} // namespace carom::detail

@@ -1,0 +1,46 @@
+// The lists of events of a step, and the ends that edits between steps caused.
+#pragma once
+
+#include "dynamics/contact_store.hpp"
+#include "dynamics/shape_store.hpp"
+
+#include <carom/events.hpp>
+
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// Lists that World::events() shows, and ends that wait for the next step.
+struct EventBuffers
+{
+    explicit EventBuffers(std::pmr::memory_resource& memory)
+        : contact_begin(&memory), contact_persist(&memory), contact_end(&memory), sensor_begin(&memory), sensor_persist(&memory),
+          sensor_end(&memory), pending_contact_end(&memory), pending_sensor_end(&memory)
+    {
+    }
+
+    std::pmr::vector<ContactBegin> contact_begin;
+    std::pmr::vector<ContactPersist> contact_persist;
+    std::pmr::vector<ContactEnd> contact_end;
+    std::pmr::vector<SensorEvent> sensor_begin;
+    std::pmr::vector<SensorEvent> sensor_persist;
+    std::pmr::vector<SensorEvent> sensor_end;
+    std::pmr::vector<ContactEnd> pending_contact_end;
+    std::pmr::vector<SensorEvent> pending_sensor_end;
+};
+
+ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world);
+
+/// A contact as the public API shows it.
+Manifold public_manifold(const ContactManifold& manifold);
+
+/// Notes that a contact which the events have told as touching ends, whatever the reason. Call before its shapes are gone.
+void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);
+
+/// Compares what touches now with what the events have told, and fills the lists, each ordered by the shapes' indices.
+/// @return number of contacts that touch
+int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);
+
+} // namespace carom::detail

@@ -1,0 +1,161 @@
+// The views of a shape: every call checks that the shape still exists.
+#include <carom/body.hpp>
+
+#include "dynamics/find_pairs.hpp"
+#include "dynamics/narrow_phase.hpp"
+#include "geometry/validate.hpp"
+#include "world/edits.hpp"
+#include "world/validate.hpp"
+
+#include <algorithm>
+
+namespace carom
+{
+
+using detail::require_shape;
+
+namespace
+{
+
+std::uint32_t editable(const detail::WorldState& world, ShapeId id, std::string_view function)
+{
+    detail::require_idle(world, function);
+    return require_shape(world, id, function);
+}
+
+/// Every contact of a shape: action(contact slot).
+template <class Action>
+void for_each_contact(const detail::WorldState& world, std::uint32_t shape, Action&& action)
+{
+    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
+    while (edge != detail::null_index)
+    {
+        const detail::Contact& contact = world.contacts.contacts[edge / 2];
+        const std::uint32_t next = contact.next[edge % 2];
+        if (contact.shape_a == shape || contact.shape_b == shape) action(edge / 2);
+        edge = next;
+    }
+}
+
+} // namespace
+
+BodyId ShapeView::body() const
+{
+    const std::uint32_t body = world_->shapes.records[require_shape(*world_, id_, "body")].body;
+    return {body, world_->bodies.slots.generation(body), world_->world};
+}
+
+const Geometry& ShapeView::geometry() const
+{
+    return world_->shapes.geometry[require_shape(*world_, id_, "geometry")];
+}
+
+float ShapeView::density() const
+{
+    return world_->shapes.records[require_shape(*world_, id_, "density")].density;
+}
+
+const Material& ShapeView::material() const
+{
+    return world_->shapes.records[require_shape(*world_, id_, "material")].material;
+}
+
+const Filter& ShapeView::filter() const
+{
+    return world_->shapes.records[require_shape(*world_, id_, "filter")].filter;
+}
+
+bool ShapeView::is_sensor() const
+{
+    return world_->shapes.records[require_shape(*world_, id_, "is_sensor")].is_sensor;
+}
+
+Aabb ShapeView::bounds() const
+{
+    return world_->shapes.bounds[require_shape(*world_, id_, "bounds")].tight;
+}
+
+std::uint64_t ShapeView::user_data() const
+{
+    return world_->shapes.records[require_shape(*world_, id_, "user_data")].user_data;
+}
+
+bool ShapeView::contains(Vec2 world_point) const
+{
+    const std::uint32_t shape = require_shape(*world_, id_, "contains");
+    const Transform& transform = world_->bodies.poses[world_->shapes.records[shape].body].transform;
+    return carom::contains(world_->shapes.geometry[shape], inverse_transform(transform, world_point));
+}
+
+std::vector<ShapeId> ShapeView::touching() const
+{
+    const std::uint32_t shape = require_shape(*world_, id_, "touching");
+    std::vector<ShapeId> ids;
+    for_each_contact(*world_, shape,
+                     [&](std::uint32_t slot)
+                     {
+                         const detail::Contact& contact = world_->contacts.contacts[slot];
+                         const std::uint32_t other = contact.shape_a == shape ? contact.shape_b : contact.shape_a;
+                         if (contact.is_touching) ids.push_back(detail::shape_id(world_->shapes, other, world_->world));
+                     });
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+void Shape::set_material(const Material& material)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_material");
+    detail::validate(material, "set_material");
+    world_->shapes.records[shape].material = material;
+    for_each_contact(*world_, shape, [&](std::uint32_t slot) { detail::mix_materials(world_->contacts.contacts[slot], world_->shapes); });
+}
+
+void Shape::set_filter(const Filter& filter)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_filter");
+    detail::ShapeRecord& record = world_->shapes.records[shape];
+    if (record.filter == filter) return;
+    record.filter = filter;
+    for_each_contact(*world_, shape,
+                     [&](std::uint32_t slot)
+                     {
+                         const detail::Contact& contact = world_->contacts.contacts[slot];
+                         const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
+                         if (!detail::judge_pair(world_->shapes, world_->bodies, pair).makes_contact) detail::destroy_contact(*world_, slot);
+                     });
+    if (world_->bodies.records[record.body].is_enabled) world_->shapes.mark_moved(shape);
+}
+
+void Shape::set_geometry(const Geometry& geometry)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_geometry");
+    detail::validate(geometry, "set_geometry");
+    detail::validate_density(geometry, world_->shapes.records[shape].density, "set_geometry");
+    const std::uint32_t body = world_->shapes.records[shape].body;
+    world_->shapes.geometry[shape] = geometry;
+    if (world_->bodies.records[body].is_enabled) detail::renew_proxy(*world_, shape);
+    else world_->shapes.bounds[shape].tight = aabb_of(geometry, world_->bodies.poses[body].transform);
+    // Features of the old geometry mean nothing on the new one.
+    for_each_contact(*world_, shape,
+                     [&](std::uint32_t slot)
+                     {
+                         detail::mix_materials(world_->contacts.contacts[slot], world_->shapes);
+                         detail::forget_impulses(world_->contacts.manifolds[slot]);
+                     });
+    detail::refresh_mass(*world_, body);
+}
+
+void Shape::set_density(float density)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_density");
+    detail::validate_density(world_->shapes.geometry[shape], density, "set_density");
+    world_->shapes.records[shape].density = density;
+    detail::refresh_mass(*world_, world_->shapes.records[shape].body);
+}
+
+void Shape::set_user_data(std::uint64_t user_data)
+{
+    world_->shapes.records[editable(*world_, id_, "set_user_data")].user_data = user_data;
+}
+
+} // namespace carom

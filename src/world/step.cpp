@@ -1,0 +1,128 @@
+// The step, stage by stage. Each stage is a function that takes what it reads and writes; its time goes to the report.
+#include "world/step.hpp"
+
+#include "dynamics/finalize_bodies.hpp"
+#include "dynamics/find_pairs.hpp"
+#include "dynamics/narrow_phase.hpp"
+#include "profile/stage_timer.hpp"
+#include "solver/integrate.hpp"
+#include "solver/softness.hpp"
+#include "world/edits.hpp"
+
+namespace carom::detail
+{
+
+namespace
+{
+
+/// Takes contacts in and out of the solver, and out of the world, as their manifolds say.
+void apply_changes(WorldState& world)
+{
+    for (const std::uint32_t contact : world.changes.lost_points) world.colors.remove(contact, world.contacts, world.bodies);
+    for (const std::uint32_t contact : world.changes.separated) destroy_contact(world, contact);
+    for (const std::uint32_t contact : world.changes.gained_points)
+        if (!world.contacts.contacts[contact].is_sensor) world.colors.add(contact, world.contacts, world.bodies);
+}
+
+void disable_not_finite(WorldState& world)
+{
+    world.quarantined.clear();
+    for (const std::uint32_t body : world.not_finite)
+    {
+        set_body_enabled(world, body, false);
+        world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
+    }
+    world.not_finite.clear();
+}
+
+void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps)
+{
+    const float h = dt / static_cast<float>(substeps);
+    const ContactConstants constants = make_contact_constants(world.tuning, dt, h, world.last_substep);
+    BodyStore& bodies = world.bodies;
+    ContactSolver<float>& solver = world.solver;
+    {
+        StageTimer timer(report, Stage::BuildRows);
+        solver.build(world.colors, bodies, world.contacts, constants);
+    }
+    for (int i = 0; i < substeps; ++i)
+    {
+        {
+            StageTimer timer(report, Stage::IntegrateVelocities);
+            const std::span<const Vec2> fields = world.field_forces.at_bodies(world.fields, bodies);
+            integrate_velocities(bodies.motions, bodies.masses, bodies.drives, world.gravity, fields, h);
+        }
+        {
+            StageTimer timer(report, Stage::WarmStart);
+            solver.warm_start(bodies.motions);
+        }
+        {
+            StageTimer timer(report, Stage::Solve);
+            solver.solve(bodies.motions);
+        }
+        {
+            StageTimer timer(report, Stage::IntegratePositions);
+            integrate_positions(bodies.motions, h);
+        }
+        StageTimer timer(report, Stage::Relax);
+        solver.relax(bodies.motions);
+    }
+    {
+        StageTimer timer(report, Stage::Restitution);
+        solver.bounce(bodies.motions);
+    }
+    {
+        StageTimer timer(report, Stage::StoreImpulses);
+        solver.store_impulses(world.contacts);
+    }
+    {
+        StageTimer timer(report, Stage::FinalizeBodies);
+        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.not_finite);
+        disable_not_finite(world);
+    }
+    world.last_substep = h;
+}
+
+void count(const WorldState& world, std::size_t allocations_before, StepReport& report)
+{
+    report.bodies = world.bodies.slots.live_count();
+    report.shapes = world.shapes.slots.live_count();
+    report.pairs = world.contacts.slots.live_count();
+    report.colors = world.colors.used_colors();
+    report.overflow_rows = static_cast<int>(world.colors.contacts_of(overflow_color).size());
+    for (int color = 0; color < color_count; ++color) report.rows += static_cast<int>(world.colors.contacts_of(color).size());
+    report.bytes = world.memory.bytes();
+    report.peak_bytes = world.memory.peak_bytes();
+    report.allocations = world.memory.allocations() - allocations_before;
+    report.quarantined = world.quarantined;
+}
+
+} // namespace
+
+StepReport step(WorldState& world, float dt, int substeps)
+{
+    StepReport report;
+    const auto start = StageTimer::Clock::now();
+    const std::size_t allocations_before = world.memory.allocations();
+    world.quarantined.clear();
+    {
+        StageTimer timer(report, Stage::FindPairs);
+        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.contacts, world.pairs, world.found_pairs);
+    }
+    {
+        StageTimer timer(report, Stage::UpdateManifolds);
+        update_manifolds(world.bodies, world.shapes, world.contacts, world.changes);
+        apply_changes(world);
+    }
+    if (dt > 0) integrate_substeps(world, report, dt, substeps);
+    {
+        StageTimer timer(report, Stage::EmitEvents);
+        report.contacts = emit_events(world.contacts, world.shapes, world.world, world.events);
+    }
+    ++world.step_count;
+    count(world, allocations_before, report);
+    report.seconds = std::chrono::duration<double>(StageTimer::Clock::now() - start).count();
+    return report;
+}
+
+} // namespace carom::detail

@@ -1,0 +1,12 @@
+// One step of a world.
+#pragma once
+
+#include "world/world_state.hpp"
+
+namespace carom::detail
+{
+
+/// @param dt [s]; 0 moves nothing
+StepReport step(WorldState& world, float dt, int substeps);
+
+} // namespace carom::detail

@@ -1,0 +1,38 @@
+// Checks of what callers give: everything is looked at before anything is changed.
+#pragma once
+
+#include "math/usage_error.hpp"
+#include "world/world_state.hpp"
+
+#include <carom/world.hpp>
+
+#include <string_view>
+
+namespace carom::detail
+{
+
+/// Rates and factors beyond this are surely a mistake, and near it float still computes well.
+inline constexpr float max_factor = 1e6f;
+
+// Each throws UsageError in the name of the public function `function`.
+void require_idle(const WorldState& world, std::string_view function); ///< not during step()
+std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function);
+std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_view function);
+std::uint32_t require_field(const WorldState& world, FieldId id, std::string_view function);
+
+void validate(const WorldDef& def, std::string_view function);
+void validate(const BodyDef& def, std::string_view function);
+void validate(const ShapeDef& def, std::string_view function);
+void validate(const Material& material, std::string_view function);
+void validate(const Field& field, std::string_view function);
+void validate(const SolverTuning& tuning, std::string_view function);
+void validate(BroadPhaseType type, const BroadPhaseOptions& options, std::string_view function);
+void validate_position(Vec2 position, float angle, std::string_view function);
+void validate_type(BodyType type, std::string_view function);
+/// Finite, not negative, and light enough that the mass of the shape can be computed with.
+void validate_density(const Geometry& geometry, float density, std::string_view function);
+void validate_mass(const MassData& data, BodyType type, std::string_view function);
+void validate_velocity(BodyType type, Vec2 velocity, std::string_view function);
+void validate_spin(BodyType type, float spin, std::string_view function);
+
+} // namespace carom::detail

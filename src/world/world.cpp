@@ -1,0 +1,305 @@
+// The public World: checks its arguments, then hands on.
+#include <carom/world.hpp>
+
+#include "geometry/validate.hpp"
+#include "world/edits.hpp"
+#include "world/step.hpp"
+#include "world/validate.hpp"
+#include "world/world_state.hpp"
+
+#include <new>
+
+namespace carom
+{
+
+using detail::require_body;
+using detail::require_idle;
+using detail::require_shape;
+using detail::WorldState;
+
+namespace
+{
+
+/// Marks the world as stepping for as long as it lives, whatever ends the step.
+class StepGuard
+{
+public:
+    explicit StepGuard(std::atomic<bool>& is_stepping) : is_stepping_(is_stepping) { is_stepping_.store(true, std::memory_order_relaxed); }
+    StepGuard(const StepGuard&) = delete;
+    StepGuard& operator=(const StepGuard&) = delete;
+    ~StepGuard() { is_stepping_.store(false, std::memory_order_relaxed); }
+
+private:
+    std::atomic<bool>& is_stepping_;
+};
+
+} // namespace
+
+World::World(const WorldDef& def)
+{
+    detail::validate(def, "World");
+    std::pmr::memory_resource& memory = def.memory ? *def.memory : *std::pmr::get_default_resource();
+    std::pmr::polymorphic_allocator<> allocator(&memory);
+    state_.reset(allocator.new_object<WorldState>(def, memory));
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::Destroy::operator()(WorldState* state) const
+{
+    std::pmr::polymorphic_allocator<> allocator(&state->memory.upstream());
+    allocator.delete_object(state);
+}
+
+WorldState& World::state() const
+{
+    if (!state_) [[unlikely]]
+        detail::usage_error("World", "world", std::string_view("moved from"), "use the world that it was moved to");
+    return *state_;
+}
+
+BodyId World::create_body(const BodyDef& def)
+{
+    WorldState& world = state();
+    require_idle(world, "create_body");
+    detail::validate(def, "create_body");
+    const std::uint32_t body = detail::create_body(world, def);
+    return {body, world.bodies.slots.generation(body), world.world};
+}
+
+BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape)
+{
+    WorldState& world = state();
+    require_idle(world, "create_body");
+    detail::validate(def, "create_body");
+    detail::validate(geometry, "create_body");
+    detail::validate(shape, "create_body");
+    detail::validate_density(geometry, shape.density, "create_body");
+
+    const std::uint32_t body = detail::create_body(world, def);
+    detail::create_shape(world, body, geometry, shape);
+    // The velocity was given for the centre of mass that the shape has brought.
+    world.bodies.set_velocity(body, def.linear_velocity);
+    return {body, world.bodies.slots.generation(body), world.world};
+}
+
+void World::destroy_body(BodyId id)
+{
+    WorldState& world = state();
+    require_idle(world, "destroy_body");
+    detail::destroy_body(world, require_body(world, id, "destroy_body"));
+}
+
+ShapeId World::create_shape(BodyId id, const Geometry& geometry, const ShapeDef& def)
+{
+    WorldState& world = state();
+    require_idle(world, "create_shape");
+    const std::uint32_t body = require_body(world, id, "create_shape");
+    detail::validate(geometry, "create_shape");
+    detail::validate(def, "create_shape");
+    detail::validate_density(geometry, def.density, "create_shape");
+    return detail::shape_id(world.shapes, detail::create_shape(world, body, geometry, def), world.world);
+}
+
+void World::destroy_shape(ShapeId id)
+{
+    WorldState& world = state();
+    require_idle(world, "destroy_shape");
+    detail::destroy_shape(world, require_shape(world, id, "destroy_shape"));
+}
+
+Body World::body(BodyId id)
+{
+    require_body(state(), id, "body");
+    return {state(), id};
+}
+
+BodyView World::body(BodyId id) const
+{
+    require_body(state(), id, "body");
+    return {state(), id};
+}
+
+std::optional<Body> World::find_body(BodyId id)
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.bodies.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return Body(world, id);
+}
+
+std::optional<BodyView> World::find_body(BodyId id) const
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.bodies.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return BodyView(world, id);
+}
+
+Shape World::shape(ShapeId id)
+{
+    require_shape(state(), id, "shape");
+    return {state(), id};
+}
+
+ShapeView World::shape(ShapeId id) const
+{
+    require_shape(state(), id, "shape");
+    return {state(), id};
+}
+
+std::optional<Shape> World::find_shape(ShapeId id)
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.shapes.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return Shape(world, id);
+}
+
+std::optional<ShapeView> World::find_shape(ShapeId id) const
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.shapes.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return ShapeView(world, id);
+}
+
+std::vector<BodyId> World::bodies() const
+{
+    const WorldState& world = state();
+    std::vector<BodyId> ids;
+    ids.reserve(static_cast<std::size_t>(world.bodies.slots.live_count()));
+    for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot)
+        if (world.bodies.slots.is_live(slot)) ids.push_back({slot, world.bodies.slots.generation(slot), world.world});
+    return ids;
+}
+
+Vec2 World::gravity() const
+{
+    return state().gravity;
+}
+
+void World::set_gravity(Vec2 gravity)
+{
+    WorldState& world = state();
+    require_idle(world, "set_gravity");
+    detail::require_within("set_gravity", "gravity", gravity, detail::max_factor);
+    world.gravity = gravity;
+}
+
+FieldId World::add_field(const Field& field)
+{
+    WorldState& world = state();
+    require_idle(world, "add_field");
+    detail::validate(field, "add_field");
+    const std::uint32_t slot = world.fields.slots.acquire();
+    if (slot == world.fields.fields.size()) world.fields.fields.push_back(field);
+    else world.fields.fields[slot] = field;
+    return {slot, world.fields.slots.generation(slot), world.world};
+}
+
+void World::set_field(FieldId id, const Field& field)
+{
+    WorldState& world = state();
+    require_idle(world, "set_field");
+    const std::uint32_t slot = detail::require_field(world, id, "set_field");
+    detail::validate(field, "set_field");
+    world.fields.fields[slot] = field;
+}
+
+void World::remove_field(FieldId id)
+{
+    WorldState& world = state();
+    require_idle(world, "remove_field");
+    world.fields.slots.release(detail::require_field(world, id, "remove_field"));
+}
+
+Vec2 World::gravity_at(Vec2 point) const
+{
+    detail::require_within("gravity_at", "point", point, max_coordinate);
+    return state().gravity + detail::FieldForces::at_point(state().fields, state().bodies, point);
+}
+
+StepReport World::step(float dt, int substeps)
+{
+    WorldState& world = state();
+    require_idle(world, "step");
+    if (dt != 0) detail::require_range("step", "dt", dt, 1e-6f, 1.0f);
+    detail::require_range("step", "substeps", substeps, 1, 64);
+    const StepGuard guard(world.is_stepping);
+    return detail::step(world, dt, substeps);
+}
+
+Events World::events() const
+{
+    const detail::EventBuffers& events = state().events;
+    return {events.contact_begin, events.contact_persist, events.contact_end, events.sensor_begin, events.sensor_persist, events.sensor_end};
+}
+
+Manifold World::manifold(ShapeId a, ShapeId b) const
+{
+    const WorldState& world = state();
+    const std::uint32_t shape_a = require_shape(world, a, "manifold");
+    const std::uint32_t shape_b = require_shape(world, b, "manifold");
+    std::uint32_t edge = world.bodies.records[world.shapes.records[shape_a].body].first_contact;
+    for (; edge != detail::null_index; edge = world.contacts.contacts[edge / 2].next[edge % 2])
+    {
+        const detail::Contact& contact = world.contacts.contacts[edge / 2];
+        if (contact.is_sensor) continue;
+        const Manifold manifold = detail::public_manifold(world.contacts.manifolds[edge / 2]);
+        if (contact.shape_a == shape_a && contact.shape_b == shape_b) return manifold;
+        if (contact.shape_a == shape_b && contact.shape_b == shape_a)
+        {
+            Manifold turned = manifold;
+            turned.normal = -manifold.normal;
+            return turned;
+        }
+    }
+    return {};
+}
+
+BroadPhaseType World::broad_phase() const
+{
+    return state().broad_phase->type();
+}
+
+BroadPhaseOptions World::broad_phase_options() const
+{
+    return state().broad_phase_options;
+}
+
+void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options)
+{
+    WorldState& world = state();
+    require_idle(world, "set_broad_phase");
+    detail::validate(type, options, "set_broad_phase");
+    detail::set_broad_phase(world, type, options);
+}
+
+SolverTuning World::solver_tuning() const
+{
+    return state().tuning;
+}
+
+void World::set_solver_tuning(const SolverTuning& tuning)
+{
+    WorldState& world = state();
+    require_idle(world, "set_solver_tuning");
+    detail::validate(tuning, "set_solver_tuning");
+    world.tuning = tuning;
+}
+
+int World::body_count() const
+{
+    return state().bodies.slots.live_count();
+}
+
+int World::shape_count() const
+{
+    return state().shapes.slots.live_count();
+}
+
+std::uint64_t World::step_count() const
+{
+    return state().step_count;
+}
+
+} // namespace carom

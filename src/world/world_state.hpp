@@ -1,0 +1,64 @@
+// Everything that a world holds.
+#pragma once
+
+#include "broadphase/broad_phase.hpp"
+#include "broadphase/pair_set.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/contact_store.hpp"
+#include "dynamics/narrow_phase.hpp"
+#include "dynamics/shape_store.hpp"
+#include "fields/field_store.hpp"
+#include "memory/counting_resource.hpp"
+#include "solver/contact_colors.hpp"
+#include "solver/contact_solver.hpp"
+#include "world/event_buffers.hpp"
+
+#include <carom/world.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+struct WorldState
+{
+    WorldState(const WorldDef& def, std::pmr::memory_resource& upstream);
+    WorldState(const WorldState&) = delete;
+    WorldState& operator=(const WorldState&) = delete;
+
+    CountingResource memory; ///< all that follows comes from here
+    std::uint32_t world;     ///< the number that this world's ids carry; never 0
+    std::atomic<bool> is_stepping = false;
+
+    // What the user set.
+    Vec2 gravity;
+    SolverTuning tuning;
+    BroadPhaseOptions broad_phase_options;
+    FieldStore fields;
+
+    // What the world is made of.
+    BodyStore bodies;
+    ShapeStore shapes;
+    ContactStore contacts;
+    PairSet pairs; ///< of the contacts
+    BroadPhasePtr broad_phase;
+    ContactColors colors;
+
+    // What a step leaves behind.
+    EventBuffers events;
+    std::pmr::vector<BodyId> quarantined;
+    std::uint64_t step_count = 0;
+    float last_substep = 0; ///< [s]; 0 before the first
+
+    // Scratch of a step; kept so that it need not grow again.
+    std::pmr::vector<ProxyPair> found_pairs;
+    std::pmr::vector<std::uint32_t> not_finite;
+    ContactChanges changes;
+    ContactSolver<float> solver;
+    FieldForces field_forces;
+};
+
+} // namespace carom::detail

@@ -1,0 +1,416 @@
+// The calls, with nasty numbers, stale names and bad moments among them.
+#include "tests/fuzz/random_api.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace carom::fuzz
+{
+
+namespace
+{
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr std::array nasty = {nan, inf, -inf, 0.0f, -0.0f, -1.0f, 1e30f, -1e30f, 1e-30f, 1e-40f, 1e7f, 1e6f, std::numeric_limits<float>::max(),
+                              std::numeric_limits<float>::lowest()};
+constexpr int most_bodies = 150;
+
+void expect_complete(const UsageError& error, const char* function)
+{
+    EXPECT_EQ(error.function(), function);
+    EXPECT_FALSE(error.field().empty()) << error.what();
+    EXPECT_FALSE(error.value().empty()) << error.what();
+    EXPECT_FALSE(error.remedy().empty()) << error.what();
+    EXPECT_EQ(std::string(error.what()), error.function() + ": " + error.field() + " is " + error.value() + "; " + error.remedy());
+}
+
+} // namespace
+
+RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_})
+{
+    foreign_ = other_.create_body({});
+}
+
+float RandomApi::number(float min, float max)
+{
+    return random_.one_in(60) ? nasty[static_cast<std::size_t>(random_.below(static_cast<int>(nasty.size())))] : random_.from(min, max);
+}
+
+Vec2 RandomApi::vector(float size)
+{
+    return {number(-size, size), number(-size, size)};
+}
+
+Geometry RandomApi::geometry()
+{
+    switch (random_.below(8))
+    {
+    case 0: return Circle{vector(1), number(0.01f, 2)};
+    case 1: return Capsule{vector(2), vector(2), number(0.01f, 1)};
+    case 2: return Segment{vector(5), vector(5)};
+    case 3: return box(number(0.01f, 3), number(0.01f, 3));
+    case 4: return rounded_box(number(0.1f, 3), number(0.1f, 3), number(0, 0.05f));
+    case 5: return offset_box(number(0.01f, 3), number(0.01f, 3), vector(2), number(-9, 9));
+    case 6:
+    {
+        // By hand, and as a rule wrong.
+        Polygon polygon = box(1, 1);
+        polygon.count = random_.one_in(2) ? 4 : random_.below(20) - 5;
+        polygon.radius = number(0, 1);
+        if (random_.one_in(2)) polygon.vertices[static_cast<std::size_t>(random_.below(8))] = vector(2);
+        return polygon;
+    }
+    default:
+    {
+        std::vector<Vec2> points;
+        const int count = random_.below(10);
+        for (int i = 0; i < count; ++i) points.push_back(vector(2));
+        if (random_.one_in(10))
+            for (Vec2& p : points) p.y = 0; // on a line
+        return transformed(convex_hull(points, random_.one_in(3) ? number(0, 0.3f) : 0.0f), {vector(1), rotation(random_.from(-4, 4))});
+    }
+    }
+}
+
+BodyDef RandomApi::body_def()
+{
+    BodyDef def;
+    def.type = random_.one_in(100) ? static_cast<BodyType>(7) : static_cast<BodyType>(random_.one_in(3) ? random_.below(3) : 2);
+    def.position = vector(15);
+    def.angle = number(-10, 10);
+    if (def.type != BodyType::Static || random_.one_in(20)) def.linear_velocity = vector(10);
+    if (def.type != BodyType::Static || random_.one_in(20)) def.angular_velocity = number(-10, 10);
+    def.linear_damping = number(0, 1);
+    def.angular_damping = number(0, 1);
+    def.gravity_scale = number(-1, 2);
+    def.locks = {random_.one_in(8), random_.one_in(8), random_.one_in(8)};
+    def.is_attractor = random_.one_in(8);
+    def.is_enabled = !random_.one_in(10);
+    def.name = "a body whose name is too long for a short string";
+    return def;
+}
+
+ShapeDef RandomApi::shape_def()
+{
+    ShapeDef def;
+    def.density = number(0, 5);
+    def.material = {number(0, 1), number(0, 1), number(0, 0.1f), number(-1, 1), 0};
+    def.filter = {random_.bits() & 3, random_.one_in(3) ? random_.bits() & 3 : ~std::uint64_t{0}, random_.below(5) - 2};
+    def.is_sensor = random_.one_in(6);
+    def.contact_events = !random_.one_in(4);
+    def.persist_events = random_.one_in(4);
+    def.sensor_events = !random_.one_in(4);
+    return def;
+}
+
+Field RandomApi::field()
+{
+    switch (random_.below(3))
+    {
+    case 0: return UniformField{vector(5)};
+    case 1: return PointField{vector(10), number(-50, 50), number(0, 1)};
+    default:
+        return NBodyField{number(-1, 1), number(0, 1), static_cast<NBodyMethod>(random_.one_in(30) ? 9 : random_.below(2)),
+                          static_cast<NBodySources>(random_.one_in(30) ? -1 : random_.below(2)), number(0, 1.5f)};
+    }
+}
+
+BodyId RandomApi::body_id()
+{
+    if (random_.one_in(40)) return foreign_;
+    if (bodies_.empty() || random_.one_in(60)) return {};
+    return bodies_[static_cast<std::size_t>(random_.below(static_cast<int>(bodies_.size())))];
+}
+
+ShapeId RandomApi::shape_id()
+{
+    if (random_.one_in(60)) return {static_cast<std::uint32_t>(random_.bits()), 1, bodies_.empty() ? 1 : bodies_[0].world};
+    if (shapes_.empty() || random_.one_in(60)) return {};
+    return shapes_[static_cast<std::size_t>(random_.below(static_cast<int>(shapes_.size())))];
+}
+
+FieldId RandomApi::field_id()
+{
+    if (fields_.empty() || random_.one_in(10)) return {};
+    return fields_[static_cast<std::size_t>(random_.below(static_cast<int>(fields_.size())))];
+}
+
+template <class Call>
+void RandomApi::try_call(const char* function, Call&& call)
+{
+    ++tally_.calls;
+    const std::uint64_t before = world_.hash();
+    try
+    {
+        call();
+    }
+    catch (const UsageError& error)
+    {
+        ++tally_.refused;
+        expect_complete(error, function);
+        EXPECT_EQ(world_.hash(), before) << "a refused call changed the world: " << error.what();
+    }
+}
+
+void RandomApi::create()
+{
+    std::optional<Geometry> shape;
+    try
+    {
+        ++tally_.calls;
+        shape = geometry();
+    }
+    catch (const UsageError& error)
+    {
+        ++tally_.refused;
+        expect_complete(error, error.function().c_str());
+        return;
+    }
+    const bool is_full = world_.body_count() >= most_bodies;
+    if (is_full || random_.one_in(3))
+        try_call("create_shape", [&] { shapes_.push_back(world_.create_shape(body_id(), *shape, shape_def())); });
+    else
+        try_call("create_body",
+                 [&]
+                 {
+                     bodies_.push_back(random_.one_in(10) ? world_.create_body(body_def()) : world_.create_body(body_def(), *shape, shape_def()));
+                     for (const ShapeId id : world_.body(bodies_.back()).shapes()) shapes_.push_back(id);
+                 });
+    tally_.most_bodies = std::max(tally_.most_bodies, world_.body_count());
+}
+
+void RandomApi::destroy()
+{
+    if (random_.one_in(2)) try_call("destroy_shape", [&] { world_.destroy_shape(shape_id()); });
+    else try_call("destroy_body", [&] { world_.destroy_body(body_id()); });
+}
+
+void RandomApi::edit_body()
+{
+    const std::optional<Body> found = world_.find_body(body_id());
+    if (!found) return;
+    Body body = *found;
+    switch (random_.below(14))
+    {
+    case 0: return try_call("set_type", [&] { body.set_type(random_.one_in(20) ? static_cast<BodyType>(-1) : static_cast<BodyType>(random_.below(3))); });
+    case 1: return try_call("set_transform", [&] { body.set_transform(vector(15), number(-10, 10)); });
+    case 2: return try_call("set_linear_velocity", [&] { body.set_linear_velocity(vector(20)); });
+    case 3: return try_call("set_angular_velocity", [&] { body.set_angular_velocity(number(-20, 20)); });
+    case 4: return try_call("set_linear_damping", [&] { body.set_linear_damping(number(0, 1)); });
+    case 5: return try_call("set_angular_damping", [&] { body.set_angular_damping(number(0, 1)); });
+    case 6: return try_call("set_gravity_scale", [&] { body.set_gravity_scale(number(-1, 1)); });
+    case 7: return try_call("set_locks", [&] { body.set_locks({random_.one_in(2), random_.one_in(2), random_.one_in(2)}); });
+    case 8: return try_call("set_is_attractor", [&] { body.set_is_attractor(random_.one_in(2)); });
+    case 9: return try_call("set_enabled", [&] { body.set_enabled(!random_.one_in(3)); });
+    case 10: return try_call("set_mass_data", [&] { body.set_mass_data({number(0, 10), vector(1), number(0, 10)}); });
+    case 11: return try_call("reset_mass_data", [&] { body.reset_mass_data(); });
+    case 12: return try_call("set_name", [&] { body.set_name("another name that is too long for a short string"); });
+    default: return try_call("set_user_data", [&] { body.set_user_data(random_.bits()); });
+    }
+}
+
+void RandomApi::push_body()
+{
+    const std::optional<Body> found = world_.find_body(body_id());
+    if (!found) return;
+    Body body = *found;
+    switch (random_.below(6))
+    {
+    case 0: return try_call("apply_force", [&] { body.apply_force(vector(100), vector(10)); });
+    case 1: return try_call("apply_force_to_center", [&] { body.apply_force_to_center(vector(100)); });
+    case 2: return try_call("apply_torque", [&] { body.apply_torque(number(-50, 50)); });
+    case 3: return try_call("apply_impulse", [&] { body.apply_impulse(vector(10), vector(10)); });
+    case 4: return try_call("apply_impulse_to_center", [&] { body.apply_impulse_to_center(vector(10)); });
+    default: return try_call("apply_angular_impulse", [&] { body.apply_angular_impulse(number(-5, 5)); });
+    }
+}
+
+void RandomApi::edit_shape()
+{
+    const std::optional<Shape> found = world_.find_shape(shape_id());
+    if (!found) return;
+    Shape shape = *found;
+    switch (random_.below(5))
+    {
+    case 0: return try_call("set_material", [&] { shape.set_material(shape_def().material); });
+    case 1: return try_call("set_filter", [&] { shape.set_filter(shape_def().filter); });
+    case 2: return try_call("set_geometry", [&] { shape.set_geometry(Circle{vector(1), number(0.1f, 2)}); });
+    case 3: return try_call("set_density", [&] { shape.set_density(number(0, 5)); });
+    default: return try_call("set_user_data", [&] { shape.set_user_data(random_.bits()); });
+    }
+}
+
+void RandomApi::edit_world()
+{
+    switch (random_.below(6))
+    {
+    case 0: return try_call("set_gravity", [&] { world_.set_gravity(vector(20)); });
+    case 1: return try_call("add_field", [&] { if (fields_.size() < 6) fields_.push_back(world_.add_field(field())); });
+    case 2: return try_call("set_field", [&] { world_.set_field(field_id(), field()); });
+    case 3:
+        return try_call("remove_field",
+                        [&]
+                        {
+                            const FieldId id = field_id();
+                            world_.remove_field(id);
+                            std::erase(fields_, id);
+                        });
+    case 4:
+        return try_call("set_broad_phase",
+                        [&]
+                        {
+                            const std::uint64_t before = world_.hash();
+                            world_.set_broad_phase(static_cast<BroadPhaseType>(random_.below(5)),
+                                                   {random_.one_in(10) ? 99 : random_.below(7), random_.one_in(10) ? 0 : 1 + random_.below(20)});
+                            EXPECT_EQ(world_.hash(), before);
+                        });
+    default:
+        return try_call("set_solver_tuning", [&]
+                        { world_.set_solver_tuning({number(10, 60), number(1, 20), number(1, 5), number(0, 2)}); });
+    }
+}
+
+void RandomApi::read()
+{
+    const std::optional<BodyView> body = std::as_const(world_).find_body(body_id());
+    if (body)
+    {
+        EXPECT_TRUE(is_finite(body->position()));
+        EXPECT_TRUE(is_finite(body->center_of_mass()));
+        EXPECT_TRUE(std::isfinite(body->angle()));
+        EXPECT_LE(body->bounds().min.x, body->bounds().max.x);
+        for (const ShapeId id : body->shapes())
+        {
+            EXPECT_EQ(world_.shape(id).body(), body->id());
+            for (const ShapeId other : world_.shape(id).touching()) EXPECT_TRUE(world_.find_shape(other));
+        }
+    }
+    try_call("gravity_at", [&] { world_.gravity_at(vector(20)); });
+    try_call("manifold", [&] { world_.manifold(shape_id(), shape_id()); });
+    DebugDraw nothing;
+    if (random_.one_in(20)) world_.debug_draw(nothing);
+}
+
+void RandomApi::step()
+{
+    try_call("step",
+             [&]
+             {
+                 const float dt = random_.one_in(10) ? 0.0f : number(0.002f, 0.03f);
+                 const StepReport report = world_.step(dt, random_.one_in(30) ? random_.below(80) - 5 : 1 + random_.below(6));
+                 tally_.quarantined += static_cast<int>(report.quarantined.size());
+                 for (const BodyId id : report.quarantined)
+                 {
+                     EXPECT_FALSE(world_.body(id).is_enabled());
+                     EXPECT_TRUE(is_finite(world_.body(id).position()));
+                     EXPECT_EQ(world_.body(id).linear_velocity(), Vec2{});
+                 }
+                 for (const BodyId id : world_.bodies()) EXPECT_TRUE(is_finite(world_.body(id).position()) && is_finite(world_.body(id).linear_velocity()));
+             });
+}
+
+void RandomApi::edit_during_step()
+{
+    // Many bodies at one place make more pairs than ever before, so that the step has to allocate.
+    std::vector<BodyId> crowd;
+    for (int i = 0; i < 40; ++i) crowd.push_back(world_.create_body({.position = {30, 30}}, circle(1)));
+
+    hook_.argument = this;
+    hook_.action = [](void* self)
+    {
+        RandomApi& api = *static_cast<RandomApi*>(self);
+        api.hook_.action = nullptr; // once
+        const auto refuse = [&](const char* function, auto&& call)
+        {
+            ++api.tally_.calls;
+            try
+            {
+                call();
+                ADD_FAILURE() << function << " was allowed during a step";
+            }
+            catch (const UsageError& error)
+            {
+                ++api.tally_.refused;
+                ++api.tally_.during_step;
+                expect_complete(error, function);
+                EXPECT_EQ(error.value(), "stepping");
+            }
+        };
+        refuse("step", [&] { api.world_.step(0.01f); });
+        refuse("create_body", [&] { api.world_.create_body({}, circle(1)); });
+        refuse("set_gravity", [&] { api.world_.set_gravity({}); });
+        refuse("set_broad_phase", [&] { api.world_.set_broad_phase(BroadPhaseType::BruteForce); });
+        for (const BodyId id : api.bodies_)
+        {
+            const std::optional<Body> body = api.world_.find_body(id);
+            if (!body) continue;
+            refuse("destroy_body", [&] { api.world_.destroy_body(id); });
+            refuse("set_transform", [&] { Body(*body).set_transform({}, 0); });
+            refuse("apply_force_to_center", [&] { Body(*body).apply_force_to_center({1, 1}); });
+            break;
+        }
+    };
+    world_.step(0.01f);
+    hook_.action = nullptr;
+    for (const BodyId id : crowd) world_.destroy_body(id);
+}
+
+void RandomApi::must_refuse()
+{
+    ++tally_.calls;
+    const BodyId stale = world_.create_body({});
+    world_.destroy_body(stale);
+    const std::uint64_t after_destroy = world_.hash();
+    const auto refused = [&](const char* function, auto&& call)
+    {
+        try
+        {
+            call();
+            ADD_FAILURE() << function << " accepted a bad argument";
+        }
+        catch (const UsageError& error)
+        {
+            ++tally_.refused;
+            expect_complete(error, function);
+        }
+    };
+    switch (random_.below(10))
+    {
+    case 0: refused("body", [&] { world_.body(stale); }); break;
+    case 1: refused("destroy_body", [&] { world_.destroy_body(stale); }); break;
+    case 2: refused("create_shape", [&] { world_.create_shape(stale, circle(1)); }); break;
+    case 3: refused("body", [&] { world_.body(foreign_); }); break;
+    case 4: refused("create_body", [&] { world_.create_body({.position = {nan, 0}}); }); break;
+    case 5: refused("create_body", [&] { world_.create_body({.type = BodyType::Static, .linear_velocity = {1, 0}}); }); break;
+    case 6: refused("circle", [&] { circle(-1); }); break;
+    case 7: refused("create_body", [&] { world_.create_body({}, Circle{{}, 0}); }); break;
+    case 8: refused("step", [&] { world_.step(-1); }); break;
+    default: refused("step", [&] { world_.step(0.01f, 0); }); break;
+    }
+    EXPECT_EQ(world_.hash(), after_destroy);
+}
+
+void RandomApi::call()
+{
+    const int kind = random_.below(100);
+    if (kind < 20) create();
+    else if (kind < 25) destroy();
+    else if (kind < 45) edit_body();
+    else if (kind < 60) push_body();
+    else if (kind < 70) edit_shape();
+    else if (kind < 76) edit_world();
+    else if (kind < 82) read();
+    else if (kind < 86) must_refuse();
+    else if (kind < 87 && random_.one_in(10)) edit_during_step();
+    else step();
+
+    // Forget ids now and then, or the stale ones would crowd out the rest.
+    if (bodies_.size() > 400) bodies_.erase(bodies_.begin(), bodies_.begin() + 200);
+    if (shapes_.size() > 800) shapes_.erase(shapes_.begin(), shapes_.begin() + 400);
+    while (world_.body_count() > most_bodies) world_.destroy_body(world_.bodies().front());
+}
+
+} // namespace carom::fuzz
