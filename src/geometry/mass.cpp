@@ -134,21 +134,26 @@ AreaMoments moments_of(const Geometry& geometry)
     }
 }
 
+MassData mass_from(const Geometry& geometry, float density)
+{
+    const AreaMoments moments = moments_of(geometry);
+    const auto as_float = [](double value)
+    { return value > std::numeric_limits<float>::max() ? std::numeric_limits<float>::infinity() : static_cast<float>(value); };
+    return {as_float(density * moments.area), to_float(moments.center), as_float(density * moments.polar)};
+}
+
 } // namespace detail
 
 MassData mass_of(const Geometry& geometry, float density)
 {
     detail::require_not_negative("mass_of", "density", density);
     detail::validate(geometry, "mass_of");
-    const detail::AreaMoments moments = detail::moments_of(geometry);
-    const double mass = density * moments.area;
-    const double inertia = density * moments.polar;
-    constexpr double most = std::numeric_limits<float>::max();
-    if (!(mass <= most && inertia <= most))
+    const MassData mass = detail::mass_from(geometry, density);
+    if (!std::isfinite(mass.mass) || !std::isfinite(mass.inertia))
     {
         detail::usage_error("mass_of", "density", density, "give a density that keeps mass and inertia finite");
     }
-    return {static_cast<float>(mass), detail::to_float(moments.center), static_cast<float>(inertia)};
+    return mass;
 }
 
 } // namespace carom

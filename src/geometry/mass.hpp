@@ -23,4 +23,7 @@ AreaMoments moments_of(const Segment& segment); ///< no area; the centre is its 
 AreaMoments moments_of(const Polygon& polygon); ///< reads vertices, count and radius only
 AreaMoments moments_of(const Geometry& geometry);
 
+/// Mass of a shape that validate() accepts; infinite when float can't hold it. mass_of() with the checks left to the caller.
+MassData mass_from(const Geometry& geometry, float density);
+
 } // namespace carom::detail

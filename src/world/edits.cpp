@@ -2,6 +2,7 @@
 #include "world/edits.hpp"
 
 #include "dynamics/finalize_bodies.hpp"
+#include "geometry/mass.hpp"
 
 namespace carom::detail
 {
@@ -77,7 +78,7 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
     if (world.bodies.records[body].is_enabled) insert_proxy(world, shape);
     else world.shapes.bounds[shape].tight = aabb_of(geometry, world.bodies.poses[body].transform);
     MassData& mass = world.bodies.records[body].shapes_mass;
-    mass = combined(mass, mass_of(geometry, def.density));
+    mass = combined(mass, mass_from(geometry, def.density));
     world.bodies.refresh_mass(body);
     return shape;
 }
@@ -163,7 +164,7 @@ void refresh_mass(WorldState& world, std::uint32_t body)
 {
     MassData sum;
     for_each_shape(world, body, [&](std::uint32_t shape)
-                   { sum = combined(sum, mass_of(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
+                   { sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
     world.bodies.records[body].shapes_mass = sum;
     world.bodies.refresh_mass(body);
 }

@@ -1,7 +1,7 @@
 // The ranges of everything that a caller may set, and what to do instead.
 #include "world/validate.hpp"
 
-#include <carom/shape.hpp>
+#include "geometry/mass.hpp"
 
 #include <string>
 
@@ -130,7 +130,7 @@ void validate(const ShapeDef& def, std::string_view function)
 void validate_density(const Geometry& geometry, float density, std::string_view function)
 {
     require_not_negative(function, "density", density);
-    const MassData mass = mass_of(geometry, density);
+    const MassData mass = mass_from(geometry, density);
     const bool is_massless = density == 0 || std::holds_alternative<Segment>(geometry);
     const bool is_good = mass.mass >= min_mass && mass.mass <= max_mass && mass.inertia > 0 && mass.inertia <= max_mass;
     if (!is_massless && !is_good) usage_error(function, "density", density, "give a density for which the mass is from 1e-12 to 1e20 kg");

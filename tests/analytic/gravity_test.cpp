@@ -52,11 +52,13 @@ Orbit orbit(double radius, double strength, int turns, bool around_a_body)
     const Vec2 start = {static_cast<float>(radius), 0};
     const BodyId planet = world.create_body({.position = start, .linear_velocity = {0, static_cast<float>(speed)}}, circle(0.1f));
     const double period = 2 * double{pi} * radius / speed;
+    // A step of about 1/60 s that divides the time evenly, or the last one would end beside the start.
     const int steps = static_cast<int>(std::lround(turns * period * 60));
+    const float whole_dt = static_cast<float>(turns * period / steps);
     Orbit result;
     for (int i = 0; i < steps; ++i)
     {
-        world.step(dt);
+        world.step(whole_dt);
         const double r = length(world.body(planet).position());
         result.min_radius = std::min(result.min_radius, r);
         result.max_radius = std::max(result.max_radius, r);
