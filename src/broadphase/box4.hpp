@@ -1,7 +1,7 @@
 // Four boxes side by side, compared with another box in four lanes at once.
 #pragma once
 
-#include "broadphase/float4.hpp"
+#include "math/float4.hpp"
 
 #include <carom/math.hpp>
 

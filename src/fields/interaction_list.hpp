@@ -1,7 +1,7 @@
 // Masses that act on a few points near each other, and the sum of their pulls: the inner loop of every N-body method.
 #pragma once
 
-#include "broadphase/float4.hpp"
+#include "math/float4.hpp"
 
 #include <carom/math.hpp>
 

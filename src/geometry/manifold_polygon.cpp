@@ -5,12 +5,9 @@
 // it is positive, so the best face normal is next to the true direction of the nearest points: those lie on the best face or at one of
 // its ends, and on the facing edge of the other polygon. Two polygons of two corners have too few faces for that (manifold_segment.cpp).
 #include "geometry/manifold_kernels.hpp"
+#include "math/float4.hpp"
 
 #include <cstring>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 namespace carom::detail
 {
@@ -20,20 +17,6 @@ namespace
 
 /// Cores nearer than this are treated as overlapping [m]; below it, a normal from corner to corner would be rounding.
 constexpr float least_core_distance = 0.01f * linear_slop;
-
-using Float4 = float __attribute__((vector_size(16)));
-using Int4 = int __attribute__((vector_size(16)));
-
-Float4 splat(float f) { return Float4{f, f, f, f}; }
-
-Float4 min4(Float4 a, Float4 b)
-{
-#if defined(__SSE2__)
-    return reinterpret_cast<Float4>(_mm_min_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
-#else
-    return a < b ? a : b;
-#endif
-}
 
 /// One number for each of 4 `blocks` corners, to be read by fours or singly. Both compilers define a union to allow that.
 template <int blocks>
@@ -84,7 +67,7 @@ struct ShiftOnly
 {
     Vec2 origin;
     Vec2 point(Vec2 p) const { return p - origin; }
-    Vec4 point(const Vec4& p) const { return {p.x - splat(origin.x), p.y - splat(origin.y)}; }
+    Vec4 point(const Vec4& p) const { return {p.x - splat4(origin.x), p.y - splat4(origin.y)}; }
     Vec2 direction(Vec2 d) const { return d; }
     Vec4 direction(const Vec4& d) const { return d; }
 };
@@ -99,10 +82,10 @@ struct MoveAndShift
     Vec4 point(const Vec4& p) const
     {
         const Vec4 d = direction(p);
-        return {d.x + splat(shift.x), d.y + splat(shift.y)};
+        return {d.x + splat4(shift.x), d.y + splat4(shift.y)};
     }
     Vec2 direction(Vec2 d) const { return rotate(q, d); }
-    Vec4 direction(const Vec4& d) const { return {splat(q.c) * d.x - splat(q.s) * d.y, splat(q.s) * d.x + splat(q.c) * d.y}; }
+    Vec4 direction(const Vec4& d) const { return {splat4(q.c) * d.x - splat4(q.s) * d.y, splat4(q.s) * d.x + splat4(q.c) * d.y}; }
 };
 
 /// @param polygon of at most 4 `blocks` corners; the places behind its last one are read and not used
@@ -122,10 +105,10 @@ void fill(Hull<blocks>& hull, const Polygon& polygon, const Place& place)
         const Vec4 n = place.direction(load(polygon.normals.data() + 4 * k));
         const Int4 is_used = Int4{0, 1, 2, 3} + 4 * k < polygon.count;
         if (k == 0) first = {{v.x[0], v.y[0]}, {n.x[0], n.y[0]}};
-        hull.x.block[k] = is_used ? v.x : splat(first.vertex.x);
-        hull.y.block[k] = is_used ? v.y : splat(first.vertex.y);
-        hull.normal_x.block[k] = is_used ? n.x : splat(first.normal.x);
-        hull.normal_y.block[k] = is_used ? n.y : splat(first.normal.y);
+        hull.x.block[k] = is_used ? v.x : splat4(first.vertex.x);
+        hull.y.block[k] = is_used ? v.y : splat4(first.vertex.y);
+        hull.normal_x.block[k] = is_used ? n.x : splat4(first.normal.x);
+        hull.normal_y.block[k] = is_used ? n.y : splat4(first.normal.y);
     }
 }
 
@@ -161,8 +144,8 @@ BestFace best_face(const Hull<blocks>& reference, const Hull<blocks>& other)
     {
         for (int k = 0; k < blocks; ++k)
         {
-            const Float4 dx = splat(other.x.one[j]) - reference.x.block[k];
-            const Float4 dy = splat(other.y.one[j]) - reference.y.block[k];
+            const Float4 dx = splat4(other.x.one[j]) - reference.x.block[k];
+            const Float4 dy = splat4(other.y.one[j]) - reference.y.block[k];
             const Float4 s = reference.normal_x.block[k] * dx + reference.normal_y.block[k] * dy;
             separation.block[k] = j == 0 ? s : min4(s, separation.block[k]);
         }
@@ -182,7 +165,7 @@ int facing_edge(const Hull<blocks>& other, Vec2 normal)
     Lanes<blocks> along;
     for (int k = 0; k < blocks; ++k)
     {
-        along.block[k] = other.normal_x.block[k] * splat(normal.x) + other.normal_y.block[k] * splat(normal.y);
+        along.block[k] = other.normal_x.block[k] * splat4(normal.x) + other.normal_y.block[k] * splat4(normal.y);
     }
     int best = 0;
     float least = along.one[0];

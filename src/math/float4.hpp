@@ -35,6 +35,16 @@ inline unsigned lane_bits(Int4 mask)
 #endif
 }
 
+/// Lane by lane the smaller; where a lane of either is not a number, that of b.
+inline Float4 min4(Float4 a, Float4 b)
+{
+#if defined(__SSE2__)
+    return reinterpret_cast<Float4>(_mm_min_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
+#else
+    return a < b ? a : b;
+#endif
+}
+
 inline Float4 sqrt4(Float4 v)
 {
 #if defined(__SSE2__)
