@@ -2,12 +2,13 @@
 #include "cli/input_script.hpp"
 
 #include "cli/errors.hpp"
+#include "scenes/parameters.hpp"
 #include "scenes/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,20 @@ constexpr Word<PointerEvent::Action> actions[] = {{"down", PointerEvent::Action:
                                                   {"wheel", PointerEvent::Action::Wheel}};
 constexpr Word<PointerEvent::Button> buttons[] = {
     {"left", PointerEvent::Button::Left}, {"middle", PointerEvent::Button::Middle}, {"right", PointerEvent::Button::Right}};
+
+constexpr std::size_t most_bytes = 64 << 20; // of a file: hundreds of thousands of entries; bounds the memory for an endless one
+constexpr int most_nested = 8;               // deeper than an entry ever goes; printing a value takes stack for each level
+constexpr double most_notches = 1e6;         // of a wheel in one entry
+
+/// Enough of a text to recognise it in a message.
+std::string shortened(std::string text)
+{
+    constexpr std::size_t most = 200;
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while ((static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not within a character
+    return text.substr(0, end) + "...";
+}
 
 std::vector<std::string> key_names(const scenes::SceneInfo& scene)
 {
@@ -92,7 +107,7 @@ private:
     {
         PointerEvent event;
         event.action = read_word("pointer", actions);
-        event.position = {read_number("x"), read_number("y")};
+        event.position = {read_number("x", scenes::farthest_pointer), read_number("y", scenes::farthest_pointer)};
         const bool has_button = event.action == PointerEvent::Action::Down || event.action == PointerEvent::Action::Up;
         if (has_button)
         {
@@ -102,7 +117,7 @@ private:
         else if (event.action == PointerEvent::Action::Wheel)
         {
             refuse_other_fields({"step", "pointer", "wheel", "x", "y"});
-            event.wheel = read_number("wheel");
+            event.wheel = read_number("wheel", most_notches);
         }
         else
             refuse_other_fields({"step", "pointer", "x", "y"});
@@ -128,10 +143,12 @@ private:
         return field(name).get<std::string>();
     }
 
-    float read_number(const char* name) const
+    /// @param most either way of zero
+    float read_number(const char* name, double most) const
     {
-        if (!field(name).is_number() || std::abs(field(name).get<double>()) > static_cast<double>(max_coordinate))
-            fail_field(name, "give a number from -1000000 to 1000000");
+        const std::string limit = scenes::to_text(most);
+        if (!field(name).is_number() || std::abs(field(name).get<double>()) > most)
+            fail_field(name, "give a number from -" + limit + " to " + limit);
         return field(name).get<float>();
     }
 
@@ -146,13 +163,13 @@ private:
         for (const auto& item : entry_.items())
         {
             if (std::find(known.begin(), known.end(), item.key()) == known.end())
-                fail("has an unknown field \"" + item.key() + "\"", "its fields are " + scenes::joined(known));
+                fail("has an unknown field \"" + shortened(item.key()) + "\"", "its fields are " + scenes::joined(known));
         }
     }
 
     [[noreturn]] void fail_field(const char* name, const std::string& remedy) const
     {
-        fail("field \"" + std::string(name) + "\" is " + entry_.at(name).dump(), remedy);
+        fail("field \"" + std::string(name) + "\" is " + shortened(entry_.at(name).dump()), remedy);
     }
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const
     {
@@ -170,20 +187,31 @@ InputScript InputScript::read(const std::filesystem::path& path, const scenes::S
     const bool is_folder = std::filesystem::is_directory(path, ignored); // a folder opens, but reading from it throws
     std::ifstream file(path, std::ios::binary);
     if (!file || is_folder) throw BadUsage("--input: can't read \"" + path.string() + "\"" + (is_folder ? ": it is a folder" : ""));
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string text;
+    std::array<char, 65536> part;
+    while (file.read(part.data(), part.size()), file.gcount() > 0)
+    {
+        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+        if (text.size() > most_bytes) throw BadUsage("--input: \"" + path.string() + "\" is longer than 64 MiB; give fewer events");
+    }
     return parse(text, path.string(), scene);
 }
 
 InputScript InputScript::parse(std::string_view text, const std::string& name, const scenes::SceneInfo& scene)
 {
+    const auto refuse_depth = [&](int depth, json::parse_event_t, const json&)
+    {
+        if (depth > most_nested) throw BadUsage("--input: " + name + ": nested too deeply; an entry holds texts and numbers");
+        return true;
+    };
     json entries;
     try
     {
-        entries = json::parse(text);
+        entries = json::parse(text, refuse_depth);
     }
     catch (const json::exception& error)
     {
-        throw BadUsage("--input: " + name + ": not JSON: " + error.what());
+        throw BadUsage("--input: " + name + ": not JSON: " + shortened(error.what()));
     }
     if (!entries.is_array()) throw BadUsage("--input: " + name + ": not an array; write [ {\"step\": ...}, ... ]");
 

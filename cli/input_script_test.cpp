@@ -70,7 +70,7 @@ TEST(InputScript, names_the_entry_and_the_field)
     EXPECT_EQ(message_of(R"([{"step": 1, "pointer": "tap", "x": 0, "y": 0}])"),
               "--input: events.json, entry 1: field \"pointer\" is \"tap\"; give one of down, up, move, wheel");
     EXPECT_EQ(message_of(R"([{"step": 1, "pointer": "down", "button": "left", "x": "1", "y": 0}])"),
-              "--input: events.json, entry 1: field \"x\" is \"1\"; give a number from -1000000 to 1000000");
+              "--input: events.json, entry 1: field \"x\" is \"1\"; give a number from -10000 to 10000");
     EXPECT_EQ(message_of(R"([{"step": 1, "pointer": "move", "button": "left", "x": 1, "y": 0}])"),
               "--input: events.json, entry 1: has an unknown field \"button\"; its fields are step, pointer, x, y");
     EXPECT_NE(message_of(R"([{"step": 1, "key": "z"}])").find("field \"key\" is \"z\"; the keys of gravity are 1, 2, 3"),
@@ -82,7 +82,26 @@ TEST(InputScript, refuses_steps_and_places_that_are_out_of_range)
     for (const char* step : {"1.5", "1e10", "99999999999999999999", "true", "null", "\"1\""})
         EXPECT_THROW(parse("[{\"step\": " + std::string(step) + ", \"key\": \"c\"}]"), BadUsage) << step;
     EXPECT_THROW(parse(R"([{"step": 1, "pointer": "move", "x": 1e30, "y": 0}])"), BadUsage);
+    EXPECT_THROW(parse(R"([{"step": 1, "pointer": "move", "x": 10001, "y": 0}])"), BadUsage); // a scene would ignore it
+    EXPECT_EQ(parse(R"([{"step": 1, "pointer": "move", "x": 10000, "y": -10000}])").size(), 1u);
 }
+
+TEST(InputScript, refuses_deep_nesting)
+{
+    constexpr int depth = 200000;
+    const std::string value = std::string(depth, '[') + std::string(depth, ']');
+    EXPECT_NE(message_of(R"([{"step": 1, "key": )" + value + "}]").find("nested too deeply"), std::string::npos);
+}
+
+TEST(InputScript, quotes_only_the_start_of_a_long_value)
+{
+    const std::string text(1000000, 'a');
+    EXPECT_LT(message_of(R"([{"step": 1, "key": ")" + text + "\"}]").size(), 1000u);
+    EXPECT_LT(message_of(R"([{"step": 1, "key": "c", ")" + text + "\": 1}]").size(), 1000u);
+    EXPECT_LT(message_of("[\"" + text + "\\x").size(), 1000u);
+}
+
+TEST(InputScript, refuses_an_endless_file) { EXPECT_THROW(InputScript::read("/dev/zero", scenes::find_scene("gravity")), BadUsage); }
 
 TEST(InputScript, every_scene_has_an_example_that_can_be_played)
 {

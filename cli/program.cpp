@@ -99,9 +99,7 @@ int report(const Surroundings& surroundings, const std::exception& error, int st
     return status;
 }
 
-} // namespace
-
-int run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings)
+int run_arguments(const std::vector<std::string>& arguments, const Surroundings& surroundings)
 {
     CLI::App app("Carom, a 2D rigid-body physics engine: runs its scenes without a window.", "carom");
     app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
@@ -112,8 +110,6 @@ int run_program(const std::vector<std::string>& arguments, const Surroundings& s
     try
     {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse
-        surroundings.out.flush();
-        if (!surroundings.out) throw Failure("can't write the output");
         return 0;
     }
     catch (const CLI::Success& help_or_version)
@@ -134,8 +130,21 @@ int run_program(const std::vector<std::string>& arguments, const Surroundings& s
     }
     catch (const std::exception& error)
     {
+        // Ctrl-C reaches ffmpeg too: that it failed is then no news.
+        const bool is_interrupted = surroundings.is_interrupted && surroundings.is_interrupted();
+        if (is_interrupted) return report(surroundings, Failure("interrupted"), status_failed);
         return report(surroundings, error, status_failed);
     }
+}
+
+} // namespace
+
+int run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings)
+{
+    const int status = run_arguments(arguments, surroundings);
+    surroundings.out.flush();
+    if (status == 0 && !surroundings.out) return report(surroundings, Failure("can't write the output"), status_failed);
+    return status;
 }
 
 } // namespace carom::cli

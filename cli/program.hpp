@@ -17,6 +17,7 @@ struct Surroundings
     std::ostream& err;
     bool err_is_terminal = false;
     std::function<std::uint64_t()> heap_allocations = {}; ///< of the whole process so far; empty when nobody counts
+    std::function<bool()> is_interrupted = {};            ///< asked after each step: whether the run is to be given up
 };
 
 /// @param arguments without the program's name

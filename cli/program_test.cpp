@@ -215,6 +215,38 @@ TEST_F(Program, says_what_a_failing_ffmpeg_said)
     EXPECT_EQ(files(), std::vector<std::string>{"ffmpeg"});
 }
 
+TEST_F(Program, an_interrupted_run_leaves_nothing)
+{
+    int steps = 0;
+    std::ostringstream out;
+    std::ostringstream err;
+    const Surroundings surroundings{.out = out, .err = err, .is_interrupted = [&] { return ++steps >= 10; }};
+    const std::vector<std::string> run = {"run", "gravity", "--steps", "1000000", "--still", file("a.png")};
+    EXPECT_EQ(run_program(run, surroundings), 1);
+    EXPECT_EQ(err.str(), "carom: interrupted\n");
+    EXPECT_EQ(out.str(), "");
+    EXPECT_TRUE(files().empty());
+
+    if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    std::vector<std::string> animated = run;
+    animated.insert(animated.end(), {"--animation", file("a.mp4")});
+    steps = 0;
+    EXPECT_EQ(run_program(animated, surroundings), 1);
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Program, says_when_the_output_can_not_be_written)
+{
+    for (const char* argument : {"--help", "--version", "scenes"})
+    {
+        std::ostringstream out;
+        std::ostringstream err;
+        out.setstate(std::ios::badbit);
+        EXPECT_EQ(run_program({argument}, {out, err}), 1) << argument;
+        EXPECT_EQ(err.str(), "carom: can't write the output\n");
+    }
+}
+
 TEST_F(Program, an_older_picture_stays_when_a_run_fails)
 {
     std::ofstream(file("a.png")) << "older";

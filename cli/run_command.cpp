@@ -70,8 +70,15 @@ struct Job
     scenes::ParameterValues values;
     InputScript input;
     Progress progress;
+    const Surroundings& surroundings;
 
     std::unique_ptr<Scene> make() const { return scenes::make_scene(request.scene, values, request.seed); }
+    /// A step is done. Files that are not complete go away when this throws.
+    void advance()
+    {
+        progress.advance();
+        if (surroundings.is_interrupted && surroundings.is_interrupted()) throw Failure("interrupted");
+    }
 };
 
 /// Draws every step that a picture shows, so that it plays in real time.
@@ -80,7 +87,7 @@ std::uint64_t animate(Job& job, const PendingFile& file)
 {
     const std::unique_ptr<Scene> scene = job.make();
     const AnimationFormat format = animation_format_of(file.path());
-    const float step_rate = 1 / scene->time_step();
+    const float step_rate = scene->parameters().real("step_rate");
     const int steps_per_frame = std::max(1, static_cast<int>(std::lround(step_rate / animation_rate)));
     Encoder encoder(file.temporary(), format, animation_size(format), static_cast<double>(step_rate) / steps_per_frame);
     Canvas canvas(animation_size(format));
@@ -90,7 +97,7 @@ std::uint64_t animate(Job& job, const PendingFile& file)
     {
         job.input.apply(*scene, step);
         scene->step();
-        job.progress.advance();
+        job.advance();
         if (step % steps_per_frame != 0) continue;
         draw(*scene, list, canvas);
         encoder.add_frame(canvas.pixels());
@@ -99,11 +106,11 @@ std::uint64_t animate(Job& job, const PendingFile& file)
     return scene->world().hash();
 }
 
-lab::RunResult measure(Job& job, Scene& scene, const Surroundings& surroundings)
+lab::RunResult measure(Job& job, Scene& scene)
 {
     return lab::run(scene, {.steps = job.request.steps, .before_step = [&](Scene& s, int step) {
         job.input.apply(s, step);
-    }, .after_step = [&](const Scene&, int) { job.progress.advance(); }, .heap_allocations = surroundings.heap_allocations});
+    }, .after_step = [&](const Scene&, int) { job.advance(); }, .heap_allocations = job.surroundings.heap_allocations});
 }
 
 } // namespace
@@ -114,14 +121,14 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
     check_formats(request);
     const int passes = request.animation ? 2 : 1;
     Job job{request, values_from(request, info), request.input ? InputScript::read(*request.input, info) : InputScript(),
-            Progress(surroundings.err, surroundings.err_is_terminal, passes * request.steps)};
+            Progress(surroundings.err, surroundings.err_is_terminal, passes * request.steps), surroundings};
     const std::unique_ptr<Scene> scene = job.make();
     std::optional<PendingFile> still = pending("--still", request.still);
     std::optional<PendingFile> animation = pending("--animation", request.animation);
 
     // The animation is drawn in a pass of its own, since drawing between the steps would slow them down.
     const std::optional<std::uint64_t> drawn_hash = animation ? std::optional(animate(job, *animation)) : std::nullopt;
-    const lab::RunResult result = measure(job, *scene, surroundings);
+    const lab::RunResult result = measure(job, *scene);
     if (drawn_hash && drawn_hash != result.hash) throw Failure("two runs of the same scene ended differently; please report this bug");
 
     if (still)

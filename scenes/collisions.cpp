@@ -84,8 +84,8 @@ Collisions::Collisions(const SceneSetup& setup) : Scene(setup, elastic_world(set
     for (const std::size_t index : largest_first(shapes))
     {
         const std::optional<Vec2> place = placement.find(shapes[index], random_);
-        const std::string cover = to_text(parameters().value("cover"));
-        if (!place) throw SceneError("cover", cover + " % leaves no room to place all shapes apart", "give less");
+        if (!place)
+            throw SceneError("cover", to_text(parameters().value("cover")) + " % leaves no room to place all shapes apart", "give less");
         add_body(*place, shapes[index]);
     }
 }

@@ -71,9 +71,8 @@ void Scene::set_parameter(std::string_view name, const ParameterValue& value)
 
 void Scene::pointer(const PointerEvent& event)
 {
-    constexpr float farthest = 0.01f * max_coordinate;
-    const bool is_sound = std::abs(event.position.x) < farthest && std::abs(event.position.y) < farthest && std::isfinite(event.wheel);
-    if (is_sound) on_pointer(event);
+    const bool is_near = std::abs(event.position.x) <= farthest_pointer && std::abs(event.position.y) <= farthest_pointer; // nor NaN
+    if (is_near && std::isfinite(event.wheel)) on_pointer(event);
 }
 
 void Scene::key(std::string_view name)

@@ -73,6 +73,9 @@ struct PointerEvent
     float wheel = 0;    ///< notches, positive away from the person
 };
 
+/// Pointer events beyond are ignored: a body there would stretch the broad phase [m].
+inline constexpr float farthest_pointer = 10000;
+
 /// Learns when the world's own step begins and ends, so that a measurement leaves out the scene's code.
 class StepObserver
 {
@@ -97,7 +100,7 @@ public:
     /// @throws SceneError on an unknown name or a value that does not fit
     void set_parameter(std::string_view name, const ParameterValue& value);
 
-    /// Positions that are not finite or absurdly far away are ignored.
+    /// Positions that are not finite or beyond `farthest_pointer` are ignored.
     void pointer(const PointerEvent& event);
     /// A key was pressed. Keys that no control names are ignored.
     void key(std::string_view name);
