@@ -26,10 +26,10 @@ enum class BodyType
     Dynamic    ///< moves by forces and contacts; when its shapes have no mass it counts as 1 kg that does not turn
 };
 
-/// Largest speed that calls accept [m/s], and largest spin [rad/s].
+/// Largest speed that calls accept [m/s], and largest spin [rad/s]. Rates, scales and accelerations are accepted up to 1e6 too.
 inline constexpr float max_speed = 1e6f;
 
-/// Directions in which a body can't move.
+/// Directions in which a dynamic body can't move; others do not heed them.
 struct MotionLocks
 {
     bool x = false;
@@ -46,13 +46,13 @@ struct BodyDef
     float angle = 0;            ///< [rad]
     Vec2 linear_velocity = {};  ///< of the centre of mass [m/s]
     float angular_velocity = 0; ///< [rad/s]
-    float linear_damping = 0;   ///< rate at which velocity decays [1/s], >= 0
-    float angular_damping = 0;  ///< rate at which spin decays [1/s], >= 0
+    float linear_damping = 0;   ///< rate at which a dynamic body's velocity decays [1/s], >= 0
+    float angular_damping = 0;  ///< rate at which a dynamic body's spin decays [1/s], >= 0
     float gravity_scale = 1;    ///< multiplies WorldDef::gravity and fields
     MotionLocks locks = {};
-    bool is_attractor = false;  ///< pulls others through an NBodyField with NBodySources::Attractors
-    bool is_enabled = true;     ///< a disabled body keeps its state and takes no part in the simulation
-    std::string_view name = {}; ///< copied
+    bool is_attractor = false;   ///< pulls others through an NBodyField with NBodySources::Attractors
+    bool is_enabled = true;      ///< a disabled body keeps its state and takes no part in the simulation
+    std::string_view name = {};  ///< copied
     std::uint64_t user_data = 0; ///< yours; the engine does not read it
 };
 
@@ -64,26 +64,26 @@ public:
     BodyId id() const { return id_; }
     BodyType type() const;
     Transform transform() const;
-    Vec2 position() const;         ///< of the origin [m]
-    float angle() const;           ///< in [-pi, pi] [rad]
-    Vec2 center_of_mass() const;   ///< in the world [m]
-    Vec2 linear_velocity() const;  ///< of the centre of mass [m/s]
-    float angular_velocity() const; ///< [rad/s]
+    Vec2 position() const;                    ///< of the origin [m]
+    float angle() const;                      ///< in [-pi, pi] [rad]
+    Vec2 center_of_mass() const;              ///< in the world [m]
+    Vec2 linear_velocity() const;             ///< of the centre of mass [m/s]
+    float angular_velocity() const;           ///< [rad/s]
     Vec2 velocity_at(Vec2 world_point) const; ///< of the body's material at a world point [m/s]
-    MassData mass_data() const;    ///< zero mass for static and kinematic bodies unless set_mass_data gave one
+    MassData mass_data() const;               ///< zero mass for static and kinematic bodies unless set_mass_data gave one
     float linear_damping() const;
     float angular_damping() const;
     float gravity_scale() const;
     MotionLocks locks() const;
     bool is_attractor() const;
     bool is_enabled() const;
-    Vec2 force() const;            ///< gathered for the next step [N]
-    float torque() const;          ///< gathered for the next step [N m]
+    Vec2 force() const;   ///< gathered for the next step [N]
+    float torque() const; ///< gathered for the next step [N m]
     std::size_t shape_count() const;
     std::vector<ShapeId> shapes() const; ///< in the order in which they were added
-    std::string_view name() const; ///< valid until the body is renamed or destroyed
+    std::string_view name() const;       ///< valid until it is renamed, or any body is created or destroyed
     std::uint64_t user_data() const;
-    Aabb bounds() const;           ///< of all its shapes; a point at its position when it has none [m]
+    Aabb bounds() const; ///< of all its shapes; a point at its position when it has none [m]
 
 protected:
     friend class World;
@@ -109,13 +109,13 @@ public:
     void set_is_attractor(bool is_attractor);
     void set_enabled(bool is_enabled);
     /// Overrides what the shapes give, until reset_mass_data().
-    /// @param data mass > 0 and inertia > 0 for a dynamic body; both >= 0 otherwise
+    /// @param data mass from 1e-12 to 1e20 kg and inertia from 1e-24 to 1e20 kg m^2 for a dynamic body; both may be 0 otherwise
     void set_mass_data(const MassData& data);
     void reset_mass_data(); ///< back to the shapes' own mass
     void set_name(std::string_view name);
     void set_user_data(std::uint64_t user_data);
 
-    // Forces act over the whole next step and are then cleared. They do nothing to a body that is not dynamic
+    // Forces act over the whole next step that takes time, and are then cleared; disabling the body clears them too. They do nothing to a body that is not dynamic
     // or is disabled; so do impulses.
     void apply_force(Vec2 force, Vec2 world_point); ///< [N]
     void apply_force_to_center(Vec2 force);         ///< [N]
@@ -136,12 +136,12 @@ class ShapeView
 public:
     ShapeId id() const { return id_; }
     BodyId body() const;
-    const Geometry& geometry() const; ///< in the body's frame; valid until the shape is changed or destroyed
+    const Geometry& geometry() const; ///< in the body's frame; valid until any shape is created, changed or destroyed
     float density() const;
-    const Material& material() const;
-    const Filter& filter() const;
+    const Material& material() const; ///< valid as long as geometry()
+    const Filter& filter() const;     ///< valid as long as geometry()
     bool is_sensor() const;
-    Aabb bounds() const;              ///< in the world [m]
+    Aabb bounds() const; ///< in the world [m]
     std::uint64_t user_data() const;
     bool contains(Vec2 world_point) const;
     /// Shapes that it touches or overlaps as of the last step, ordered by index. Sensors among them.

@@ -20,8 +20,8 @@ std::string_view name_of(BroadPhaseType type);
 /// Options of the two quadtrees; the others do not read them.
 struct BroadPhaseOptions
 {
-    int quadtree_max_depth = 5;      ///< levels below the root, 0 to 10
-    int quadtree_node_capacity = 8;  ///< shapes in a node before it divides, >= 1
+    int quadtree_max_depth = 5;     ///< levels below the root, 0 to 10
+    int quadtree_node_capacity = 8; ///< shapes in a node before it divides, >= 1
 
     friend bool operator==(const BroadPhaseOptions&, const BroadPhaseOptions&) = default;
 };

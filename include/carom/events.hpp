@@ -13,12 +13,12 @@ namespace carom
 /// One point of a contact.
 struct ContactPoint
 {
-    Vec2 position;              ///< in the world, halfway between the two surfaces [m]
-    float separation = 0;       ///< distance of the surfaces, negative when they overlap [m]
-    float normal_impulse = 0;   ///< total along the normal in the last step [N s], >= 0
-    float tangent_impulse = 0;  ///< total along the surface in the last step [N s]
-    float approach_speed = 0;   ///< speed at which the surfaces met at the start of the step, positive when approaching [m/s]
-    std::uint32_t feature = 0;  ///< which corners or edges made the point; equal from step to step while they stay the same
+    Vec2 position;             ///< in the world, halfway between the two surfaces [m]
+    float separation = 0;      ///< distance of the surfaces, negative when they overlap [m]
+    float normal_impulse = 0;  ///< total along the normal in the last step [N s], >= 0
+    float tangent_impulse = 0; ///< total along the surface in the last step [N s]
+    float approach_speed = 0;  ///< speed at which the surfaces met at the start of the step, positive when approaching [m/s]
+    std::uint32_t feature = 0; ///< which corners or edges made the point; equal from step to step while they stay the same
 };
 
 /// Where two shapes touch or nearly touch.

@@ -86,10 +86,7 @@ inline Rot rotation(float angle)
 }
 
 /// The angle of a rotation, in [-pi, pi] [rad].
-inline float angle(Rot q)
-{
-    return atan2(q.s, q.c);
-}
+inline float angle(Rot q) { return atan2(q.s, q.c); }
 
 constexpr Vec2 rotate(Rot q, Vec2 v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 constexpr Vec2 inverse_rotate(Rot q, Vec2 v) { return {q.c * v.x + q.s * v.y, -q.s * v.x + q.c * v.y}; }
@@ -119,10 +116,7 @@ constexpr Vec2 inverse_transform(const Transform& t, Vec2 point) { return invers
 /// First `b`, then `a`.
 constexpr Transform operator*(const Transform& a, const Transform& b) { return {a * b.p, a.q * b.q}; }
 /// The frame of `b` seen from the frame of `a`: a * relative(a, b) = b.
-constexpr Transform relative(const Transform& a, const Transform& b)
-{
-    return {inverse_rotate(a.q, b.p - a.p), relative(a.q, b.q)};
-}
+constexpr Transform relative(const Transform& a, const Transform& b) { return {inverse_rotate(a.q, b.p - a.p), relative(a.q, b.q)}; }
 
 /// A box along the axes. Empty when min exceeds max.
 struct Aabb
@@ -145,14 +139,8 @@ constexpr bool contains(const Aabb& outer, const Aabb& inner)
 {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && inner.max.x <= outer.max.x && inner.max.y <= outer.max.y;
 }
-constexpr bool contains(const Aabb& box, Vec2 p)
-{
-    return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y;
-}
-constexpr Aabb merge(const Aabb& a, const Aabb& b)
-{
-    return {min(a.min, b.min), max(a.max, b.max)};
-}
+constexpr bool contains(const Aabb& box, Vec2 p) { return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y; }
+constexpr Aabb merge(const Aabb& a, const Aabb& b) { return {min(a.min, b.min), max(a.max, b.max)}; }
 constexpr Aabb expanded(const Aabb& a, float margin)
 {
     return {{a.min.x - margin, a.min.y - margin}, {a.max.x + margin, a.max.y + margin}};

@@ -36,16 +36,16 @@ std::string_view name_of(Stage stage);
 /// What World::step did.
 struct StepReport
 {
-    double seconds = 0;                                ///< wall time of the whole step [s]
+    double seconds = 0;                                 ///< wall time of the whole step [s]
     std::array<double, stage_count> stage_seconds = {}; ///< wall time by stage, over all substeps [s]
 
-    int bodies = 0;          ///< in the world
-    int shapes = 0;          ///< in the world
-    int pairs = 0;           ///< pairs of shapes whose fattened bounds overlap
-    int contacts = 0;        ///< of those, pairs that touch: contacts with at least a point, and sensor overlaps
-    int rows = 0;            ///< contacts that the solver worked on
-    int colors = 0;          ///< groups of independent contacts that it made of them
-    int overflow_rows = 0;   ///< contacts that found no colour and were solved one by one
+    int bodies = 0;        ///< in the world
+    int shapes = 0;        ///< in the world
+    int pairs = 0;         ///< pairs of shapes whose fattened bounds overlap
+    int contacts = 0;      ///< of those, pairs that touch, as the events tell it: contacts and sensor overlaps
+    int rows = 0;          ///< contacts with at least a point, near ones included: what the solver works on when the step takes time
+    int colors = 0;        ///< groups of independent contacts that it made of them
+    int overflow_rows = 0; ///< contacts that found no colour and were solved one by one
 
     std::size_t bytes = 0;       ///< memory in use by the world [bytes]
     std::size_t peak_bytes = 0;  ///< most that was ever in use [bytes]

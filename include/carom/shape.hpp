@@ -118,13 +118,13 @@ struct Filter
 /// What a shape is besides its geometry.
 struct ShapeDef
 {
-    float density = 1; ///< [kg/m^2], >= 0
+    float density = 1; ///< [kg/m^2]; 0, or such that the shape's mass is from 1e-12 to 1e20 kg
     Material material = {};
     Filter filter = {};
     bool is_sensor = false;      ///< reports overlaps and pushes nothing; sensors see each other too
     bool contact_events = true;  ///< begin and end of its contacts are reported; so they are when the other shape asks
     bool persist_events = false; ///< each further step of its contacts or overlaps is reported too
-    bool sensor_events = true;   ///< its overlaps with sensors are reported
+    bool sensor_events = true;   ///< its overlaps with sensors, or as a sensor, are found and reported
     std::uint64_t user_data = 0; ///< yours; the engine does not read it
 };
 

@@ -23,9 +23,9 @@ namespace carom
 /// Constants of the contact solver. The defaults suit bodies of 0.1 m to 10 m.
 struct SolverTuning
 {
-    float contact_hertz = 30;         ///< stiffness of contacts, also limited to an eighth of the substep rate [1/s], > 0
+    float contact_hertz = 30;         ///< stiffness of contacts, also limited to an eighth of the substep rate [1/s], >= 0.01
     float contact_damping_ratio = 10; ///< >= 0
-    float push_out_speed = 3;         ///< most speed at which overlap is undone [m/s], > 0
+    float push_out_speed = 3;         ///< most speed at which overlap is undone [m/s], >= 0.0001
     float restitution_threshold = 1;  ///< slower approaches do not bounce [m/s], >= 0
 
     friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
@@ -51,7 +51,9 @@ struct WorldDef
 };
 
 /// A simulation. Worlds know nothing of each other; one world is used by one thread at a time. Every call that changes a world
-/// throws UsageError on a bad argument, and then nothing has changed. Lengths are in metres, masses in kilograms, times in
+/// throws UsageError on a bad argument, and then nothing has changed. So it is when the memory resource throws in a call that
+/// creates a body or a field. A step that the memory resource stops leaves a world that can be read and destroyed; changing it throws
+/// UsageError. Lengths are in metres, masses in kilograms, times in
 /// seconds, angles in radians.
 class World
 {
@@ -90,12 +92,13 @@ public:
 
     // Time.
     /// Advances the world.
-    /// @param dt       [s], >= 0 and <= 1; 0 updates contacts and events and moves nothing
+    /// @param dt       [s], 0 or from 1e-6 to 1; 0 updates contacts and events, moves nothing and leaves forces for the next step
     /// @param substeps parts into which the step is divided, 1 to 64; more make stiff piles and fast spins more exact
     StepReport step(float dt, int substeps = 4);
     /// What happened in the last step.
     Events events() const;
-    /// The contact points between two shapes as of the last step; no points when they are apart.
+    /// The contact points between two shapes as of the last step, its normal from `a` to `b`; no points when they are apart. Impulses
+    /// are those on `b`.
     Manifold manifold(ShapeId a, ShapeId b) const;
 
     // The broad phase.

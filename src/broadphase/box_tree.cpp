@@ -39,8 +39,9 @@ void BoxTree::insert(ProxyIndex proxy, const Aabb& box)
 {
     if (proxy >= place_of_.size()) place_of_.resize(proxy + std::size_t{1}, none);
     assert(place_of_[proxy] == none);
-    place_of_[proxy] = waiting_bit | static_cast<std::uint32_t>(waiting_.size());
-    waiting_.push_back({box, proxy});
+    const std::uint32_t place = static_cast<std::uint32_t>(waiting_.size());
+    waiting_.push_back({box, proxy}); // may throw: nothing points to it yet
+    place_of_[proxy] = waiting_bit | place;
 }
 
 void BoxTree::remove(ProxyIndex proxy)

@@ -49,7 +49,7 @@ struct BroadPhaseNode
 };
 
 /// Keeps the (fattened) boxes of proxies. The boxes are any finite ones: huge, empty of area, all negative.
-/// After its arrays have grown to the size of the work, no call allocates.
+/// After its arrays have grown to the size of the work, no call allocates (but QuadtreeNaive's, whose set makes a node a pair).
 class BroadPhase
 {
 public:

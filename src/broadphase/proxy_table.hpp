@@ -26,8 +26,8 @@ public:
     {
         if (proxy >= place_of_.size()) place_of_.resize(proxy + std::size_t{1}, absent);
         assert(place_of_[proxy] == absent);
-        place_of_[proxy] = static_cast<std::uint32_t>(entries_.size());
-        entries_.push_back({box, proxy, kind, false});
+        entries_.push_back({box, proxy, kind, false}); // may throw: nothing points to it yet
+        place_of_[proxy] = static_cast<std::uint32_t>(entries_.size() - 1);
     }
 
     void remove(ProxyIndex proxy)

@@ -1,11 +1,21 @@
 // Keeps the dense arrays of active bodies in step with the records.
 #include "dynamics/body_store.hpp"
 
+#include "memory/make_room.hpp"
+
+#include <utility>
+
 namespace carom::detail
 {
 
 BodyStore::BodyStore(std::pmr::memory_resource& memory)
-    : slots(memory), records(&memory), poses(&memory), motion_index(&memory), motions(&memory), masses(&memory), drives(&memory)
+    : slots(memory),
+      records(&memory),
+      poses(&memory),
+      motion_index(&memory),
+      motions(&memory),
+      masses(&memory),
+      drives(&memory)
 {
     motions.emplace_back();
     masses.emplace_back();
@@ -23,10 +33,24 @@ void BodyStore::reserve(std::size_t count)
     drives.reserve(count + 1);
 }
 
+void BodyStore::make_room_for_one()
+{
+    const std::size_t count = records.size() + 1;
+    make_room(records, count);
+    make_room(poses, count);
+    make_room(motion_index, count);
+    // As if every body were active: activating one never allocates.
+    make_room(motions, count + 1);
+    make_room(masses, count + 1);
+    make_room(drives, count + 1);
+}
+
 std::uint32_t BodyStore::create(const BodyDef& def)
 {
-    const std::uint32_t slot = slots.acquire();
     std::pmr::memory_resource* memory = records.get_allocator().resource();
+    std::pmr::string name(def.name, memory); // copied before the records grow: it may be another body's name
+    make_room_for_one();
+    const std::uint32_t slot = slots.acquire();
     if (slot == records.size())
     {
         records.emplace_back(memory);
@@ -44,7 +68,7 @@ std::uint32_t BodyStore::create(const BodyDef& def)
     record.angular_damping = def.angular_damping;
     record.gravity_scale = def.gravity_scale;
     record.user_data = def.user_data;
-    record.name = def.name;
+    record.name = std::move(name);
 
     poses[slot] = {.transform = {def.position, rotation(def.angle)}, .center = def.position, .local_center = {}};
     refresh_mass(slot);
@@ -173,10 +197,14 @@ float BodyStore::gravity_mass(std::uint32_t slot) const
 void BodyStore::refresh_mass(std::uint32_t slot)
 {
     BodyRecord& record = records[slot];
-    if (record.has_mass_override) record.mass = record.mass_override;
-    else if (record.type != BodyType::Dynamic) record.mass = {};
-    else if (record.shapes_mass.mass > 0) record.mass = record.shapes_mass;
-    else record.mass = {.mass = 1, .center = {}, .inertia = 0};
+    if (record.has_mass_override)
+        record.mass = record.mass_override;
+    else if (record.type != BodyType::Dynamic)
+        record.mass = {};
+    else if (record.shapes_mass.mass > 0)
+        record.mass = record.shapes_mass;
+    else
+        record.mass = {.mass = 1, .center = {}, .inertia = 0};
 
     // The velocity is that of the centre of mass: moving the centre within a spinning body changes it.
     BodyPose& pose = poses[slot];

@@ -36,9 +36,9 @@ struct BodyMass
 /// What accelerates and brakes an active body, by motion index.
 struct BodyDrive
 {
-    Vec2 force;          ///< [N]
-    float torque = 0;    ///< [N m]
-    Vec2 gravity_scale;  ///< along each axis; 0 where gravity can't move the body
+    Vec2 force;                ///< [N]
+    float torque = 0;          ///< [N m]
+    Vec2 gravity_scale;        ///< along each axis; 0 where gravity can't move the body
     float linear_damping = 0;  ///< [1/s]
     float angular_damping = 0; ///< [1/s]
 };
@@ -64,11 +64,11 @@ struct BodyRecord
     float linear_damping = 0;
     float angular_damping = 0;
     float gravity_scale = 1;
-    Vec2 saved_v;                      ///< velocity while the body is not active [m/s]
-    float saved_w = 0;                 ///< [rad/s]
-    MassData shapes_mass;              ///< of all its shapes together; static bodies have it too
-    MassData mass_override;            ///< as the user gave it
-    MassData mass;                     ///< of the two the one that counts, as the solver uses it
+    Vec2 saved_v;           ///< velocity while the body is not active [m/s]
+    float saved_w = 0;      ///< [rad/s]
+    MassData shapes_mass;   ///< of all its shapes together; static bodies have it too
+    MassData mass_override; ///< as the user gave it
+    MassData mass;          ///< of the two the one that counts, as the solver uses it
     std::uint32_t first_shape = null_index;
     std::uint32_t last_shape = null_index;
     std::uint32_t shape_count = 0;
@@ -88,6 +88,7 @@ class BodyStore
 public:
     explicit BodyStore(std::pmr::memory_resource& memory);
 
+    /// Changes nothing when memory runs out.
     std::uint32_t create(const BodyDef& def);
     /// The body has no shapes and no contacts any more.
     void destroy(std::uint32_t slot);
@@ -113,15 +114,16 @@ public:
     float gravity_mass(std::uint32_t slot) const;
 
     SlotPool slots;
-    std::pmr::vector<BodyRecord> records;           ///< by slot
-    std::pmr::vector<BodyPose> poses;               ///< by slot
-    std::pmr::vector<std::uint32_t> motion_index;   ///< by slot; 0 when not active
+    std::pmr::vector<BodyRecord> records;         ///< by slot
+    std::pmr::vector<BodyPose> poses;             ///< by slot
+    std::pmr::vector<std::uint32_t> motion_index; ///< by slot; 0 when not active
 
     std::pmr::vector<BodyMotion> motions; ///< by motion index, as are the next two
     std::pmr::vector<BodyMass> masses;
     std::pmr::vector<BodyDrive> drives;
 
 private:
+    void make_room_for_one();
     void activate(std::uint32_t slot);
     void deactivate(std::uint32_t slot);
 };

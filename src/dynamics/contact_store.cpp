@@ -2,12 +2,15 @@
 #include "dynamics/contact_store.hpp"
 
 #include "dynamics/body_store.hpp"
+#include "memory/make_room.hpp"
 
 namespace carom::detail
 {
 
 std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
+    make_room(contacts, contacts.size() + 1);
+    make_room(manifolds, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
@@ -50,8 +53,10 @@ void ContactStore::unlink(std::uint32_t edge, std::uint32_t body, BodyStore& bod
 {
     const std::uint32_t previous = contacts[edge / 2].previous[edge % 2];
     const std::uint32_t next = contacts[edge / 2].next[edge % 2];
-    if (previous != null_index) contacts[previous / 2].next[previous % 2] = next;
-    else bodies.records[body].first_contact = next;
+    if (previous != null_index)
+        contacts[previous / 2].next[previous % 2] = next;
+    else
+        bodies.records[body].first_contact = next;
     if (next != null_index) contacts[next / 2].previous[next % 2] = previous;
 }
 

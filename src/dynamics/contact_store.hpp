@@ -40,22 +40,22 @@ struct Contact
 /// One point of a contact as the solver leaves it for the next step.
 struct ContactPointState
 {
-    Vec2 position;               ///< in the world at the start of the step [m]
-    Vec2 r_a;                    ///< from A's centre of mass to the point [m]
-    Vec2 r_b;                    ///< from B's [m]
-    float separation = 0;        ///< at the start of the step [m]
-    float normal_impulse = 0;    ///< of the last substep: warm starts the next [N s]
-    float tangent_impulse = 0;   ///< of the last substep [N s]
-    float total_normal = 0;      ///< over the step [N s]
-    float total_tangent = 0;     ///< over the step [N s]
-    float normal_velocity = 0;   ///< along the normal at the start of the step; negative when approaching [m/s]
+    Vec2 position;             ///< in the world at the start of the step [m]
+    Vec2 r_a;                  ///< from A's centre of mass to the point [m]
+    Vec2 r_b;                  ///< from B's [m]
+    float separation = 0;      ///< at the start of the step [m]
+    float normal_impulse = 0;  ///< of the last substep: warm starts the next [N s]
+    float tangent_impulse = 0; ///< of the last substep [N s]
+    float total_normal = 0;    ///< over the step [N s]
+    float total_tangent = 0;   ///< over the step [N s]
+    float normal_velocity = 0; ///< along the normal at the start of the step; negative when approaching [m/s]
     std::uint32_t feature = 0;
 };
 
 /// The contact's points, by contact slot.
 struct ContactManifold
 {
-    Vec2 normal; ///< in the world, from A to B
+    Vec2 normal;               ///< in the world, from A to B
     float rolling_impulse = 0; ///< of the last substep [N m s]
     float total_rolling = 0;   ///< over the step [N m s]
     float carried_impulse = 0; ///< what each point has been carrying for a while, per substep [N s]
@@ -69,6 +69,7 @@ class ContactStore
 public:
     explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory) {}
 
+    /// Changes nothing when memory runs out.
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);

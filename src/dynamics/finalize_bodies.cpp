@@ -1,6 +1,8 @@
 // The only place where a step writes poses.
 #include "dynamics/finalize_bodies.hpp"
 
+#include "memory/make_room.hpp"
+
 #include <cmath>
 
 namespace carom::detail
@@ -36,6 +38,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
     // The margin follows the velocity for this many steps to come: fewer searches for pairs, against more false pairs.
     constexpr float steps_ahead = 2;
 
+    make_room(not_finite, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
         BodyMotion& motion = bodies.motions[i];

@@ -23,20 +23,22 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
     found.clear();
     if (shapes.moved.empty()) return;
     broad_phase.find_pairs(shapes.moved, found);
-    shapes.clear_moved();
 
     const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, pair).makes_contact || known.contains(pair); };
     found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());
     std::sort(found.begin(), found.end());
 
+    known.reserve(known.size() + found.size());
     for (const ProxyPair pair : found)
     {
-        known.insert(pair);
-        Contact contact = {.shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
+        Contact contact = {
+            .shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
         contact.is_sensor = judge_pair(shapes, bodies, pair).is_sensor;
         mix_materials(contact, shapes);
         contacts.create(contact, bodies);
+        known.insert(pair);
     }
+    shapes.clear_moved(); // last: if memory runs out above, the next step looks for the pairs again
 }
 
 } // namespace carom::detail

@@ -115,15 +115,18 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         }
 
         ContactManifold& manifold = contacts.manifolds[slot];
-        const bool had_points = manifold.count > 0;
         const bool may_have_points = overlaps(expanded(a.tight, speculative_distance), b.tight);
-        if (!may_have_points) manifold.count = 0;
-        else if (contact.is_sensor) manifold = overlap_pair(contact, bodies, shapes);
-        else manifold = collide_pair(contact, bodies, shapes, manifold);
+        if (!may_have_points)
+            manifold.count = 0;
+        else if (contact.is_sensor)
+            manifold = overlap_pair(contact, bodies, shapes);
+        else
+            manifold = collide_pair(contact, bodies, shapes, manifold);
 
         const bool has_points = manifold.count > 0;
-        if (has_points && !had_points) changes.gained_points.push_back(slot);
-        if (!has_points && had_points) changes.lost_points.push_back(slot);
+        const bool has_color = contact.color != no_color;
+        if (has_points && !has_color && !contact.is_sensor) changes.gained_points.push_back(slot);
+        if (!has_points && has_color) changes.lost_points.push_back(slot);
     }
 }
 

@@ -12,13 +12,14 @@
 namespace carom::detail
 {
 
-/// Contacts whose standing changed, each list by rising slot.
+/// Contacts whose standing with the solver is to change, each list by rising slot. They are told by what the contact has, not by what it
+/// had before, so that a step that ran out of memory is made up for by the next.
 struct ContactChanges
 {
     explicit ContactChanges(std::pmr::memory_resource& memory) : gained_points(&memory), lost_points(&memory), separated(&memory) {}
 
-    std::pmr::vector<std::uint32_t> gained_points; ///< had none, have some: the solver takes them in
-    std::pmr::vector<std::uint32_t> lost_points;   ///< had some, have none
+    std::pmr::vector<std::uint32_t> gained_points; ///< have some, and no colour yet: the solver takes them in; no sensors
+    std::pmr::vector<std::uint32_t> lost_points;   ///< have none any more, but a colour
     std::pmr::vector<std::uint32_t> separated;     ///< the fat bounds no longer overlap: to be destroyed
 
     void clear();

@@ -1,13 +1,21 @@
 // Adds and removes shapes, and keeps the list of those that moved.
 #include "dynamics/shape_store.hpp"
 
+#include "memory/make_room.hpp"
+
 #include <algorithm>
 
 namespace carom::detail
 {
 
-std::uint32_t ShapeStore::create(std::uint32_t body, const Geometry& shape, const ShapeDef& def)
+std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const ShapeDef& def)
 {
+    const std::size_t count = records.size() + 1;
+    make_room(records, count);
+    make_room(geometry, count);
+    make_room(bounds, count);
+    make_room(place_in_moved, count);
+    make_room(moved, count); // so that marking a shape never allocates
     const std::uint32_t slot = slots.acquire();
     if (slot == records.size())
     {

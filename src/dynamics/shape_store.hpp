@@ -41,11 +41,18 @@ class ShapeStore
 {
 public:
     explicit ShapeStore(std::pmr::memory_resource& memory)
-        : slots(memory), records(&memory), geometry(&memory), bounds(&memory), moved(&memory), place_in_moved(&memory)
+        : slots(memory),
+          records(&memory),
+          geometry(&memory),
+          bounds(&memory),
+          moved(&memory),
+          place_in_moved(&memory)
     {
     }
 
-    std::uint32_t create(std::uint32_t body, const Geometry& shape, const ShapeDef& def);
+    /// Changes nothing when memory runs out.
+    /// @param shape by value: the caller's may lie in the array that grows here
+    std::uint32_t create(std::uint32_t body, Geometry shape, const ShapeDef& def);
     void destroy(std::uint32_t slot);
     void reserve(std::size_t count);
 

@@ -21,10 +21,10 @@ public:
 
     std::uint32_t acquire()
     {
-        ++live_count_;
         if (first_free_ == null_index)
         {
-            slots_.push_back({.generation = 1, .is_live = true});
+            slots_.push_back({.generation = 1, .is_live = true}); // may throw: nothing has changed before
+            ++live_count_;
             return static_cast<std::uint32_t>(slots_.size() - 1);
         }
         const std::uint32_t index = first_free_;
@@ -32,6 +32,7 @@ public:
         first_free_ = slot.next_free;
         ++slot.generation;
         slot.is_live = true;
+        ++live_count_;
         return index;
     }
 
@@ -48,6 +49,9 @@ public:
     bool is_live(std::uint32_t index) const { return index < slots_.size() && slots_[index].is_live; }
     bool is_live(std::uint32_t index, std::uint32_t generation) const { return is_live(index) && slots_[index].generation == generation; }
     std::uint32_t generation(std::uint32_t index) const { return slots_[index].generation; }
+    /// The place that acquire() takes next, and the one after a free place; null_index at the end.
+    std::uint32_t first_free() const { return first_free_; }
+    std::uint32_t next_free(std::uint32_t index) const { return slots_[index].next_free; }
 
     /// One past the highest index ever handed out; arrays beside the pool have this length.
     std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }

@@ -61,8 +61,8 @@ private:
     PointTree target_tree_;
     InteractionList list_;
     std::pmr::vector<PointPull> sources_; ///< in the tree's order
-    std::pmr::vector<Group> groups_;     ///< by node
-    std::pmr::vector<Moments> moments_;  ///< by node
+    std::pmr::vector<Group> groups_;      ///< by node
+    std::pmr::vector<Moments> moments_;   ///< by node
 };
 
 } // namespace carom::detail

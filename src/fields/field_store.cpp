@@ -5,7 +5,11 @@ namespace carom::detail
 {
 
 FieldForces::FieldForces(std::pmr::memory_resource& memory)
-    : targets_(&memory), acceleration_(&memory), source_positions_(&memory), source_masses_(&memory), n_body_(memory)
+    : targets_(&memory),
+      acceleration_(&memory),
+      source_positions_(&memory),
+      source_masses_(&memory),
+      n_body_(memory)
 {
 }
 

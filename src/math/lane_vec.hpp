@@ -23,25 +23,52 @@ struct LaneRot
 };
 
 template <class F>
-LaneVec<F> operator+(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x + b.x, a.y + b.y}; }
+LaneVec<F> operator+(const LaneVec<F>& a, const LaneVec<F>& b)
+{
+    return {a.x + b.x, a.y + b.y};
+}
 template <class F>
-LaneVec<F> operator-(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x - b.x, a.y - b.y}; }
+LaneVec<F> operator-(const LaneVec<F>& a, const LaneVec<F>& b)
+{
+    return {a.x - b.x, a.y - b.y};
+}
 template <class F>
-LaneVec<F> operator*(const LaneVec<F>& a, const F& s) { return {a.x * s, a.y * s}; }
+LaneVec<F> operator*(const LaneVec<F>& a, const F& s)
+{
+    return {a.x * s, a.y * s};
+}
 /// Component by component: an inverse mass by axis times an impulse.
 template <class F>
-LaneVec<F> scale(const LaneVec<F>& a, const LaneVec<F>& b) { return {a.x * b.x, a.y * b.y}; }
+LaneVec<F> scale(const LaneVec<F>& a, const LaneVec<F>& b)
+{
+    return {a.x * b.x, a.y * b.y};
+}
 template <class F>
-F dot(const LaneVec<F>& a, const LaneVec<F>& b) { return a.x * b.x + a.y * b.y; }
+F dot(const LaneVec<F>& a, const LaneVec<F>& b)
+{
+    return a.x * b.x + a.y * b.y;
+}
 template <class F>
-F cross(const LaneVec<F>& a, const LaneVec<F>& b) { return a.x * b.y - a.y * b.x; }
+F cross(const LaneVec<F>& a, const LaneVec<F>& b)
+{
+    return a.x * b.y - a.y * b.x;
+}
 /// w e_z x a
 template <class F>
-LaneVec<F> cross(const F& w, const LaneVec<F>& a) { return {-w * a.y, w * a.x}; }
+LaneVec<F> cross(const F& w, const LaneVec<F>& a)
+{
+    return {-w * a.y, w * a.x};
+}
 template <class F>
-LaneVec<F> right_perp(const LaneVec<F>& a) { return {a.y, -a.x}; }
+LaneVec<F> right_perp(const LaneVec<F>& a)
+{
+    return {a.y, -a.x};
+}
 template <class F>
-LaneVec<F> rotate(const LaneRot<F>& q, const LaneVec<F>& v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
+LaneVec<F> rotate(const LaneRot<F>& q, const LaneVec<F>& v)
+{
+    return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
+}
 
 /// Writes one lane of a vector.
 template <class F>

@@ -41,7 +41,9 @@ BodyLanes<F> gather(std::span<const BodyMotion> motions, const BodyIndices<F>& i
     return lanes;
 }
 
-/// Writes velocities back. Index 0 stands for all that does not move and is never written.
+/// Writes velocities back.
+/// @param indices 0 for every body that nothing pushes: kinematic bodies too, which rows of one colour may share, and whose velocity must
+///                stay what it is when an infinite impulse meets their inverse mass of zero
 template <class F>
 void scatter(std::span<BodyMotion> motions, const BodyIndices<F>& indices, const BodyLanes<F>& lanes)
 {

@@ -29,15 +29,16 @@ void ContactColors::add(std::uint32_t contact, ContactStore& contacts, BodyStore
     std::uint32_t& mask_a = bodies.records[pair.body_a].color_mask;
     std::uint32_t& mask_b = bodies.records[pair.body_b].color_mask;
 
-    pair.color = pick_color(is_dynamic_a, is_dynamic_b, (is_dynamic_a ? mask_a : 0) | (is_dynamic_b ? mask_b : 0));
+    const std::uint8_t color = pick_color(is_dynamic_a, is_dynamic_b, (is_dynamic_a ? mask_a : 0) | (is_dynamic_b ? mask_b : 0));
+    std::pmr::vector<std::uint32_t>& list = colors_[color];
+    list.push_back(contact); // may throw: nothing has changed before
+    pair.index_in_color = static_cast<std::uint32_t>(list.size() - 1);
+    pair.color = color;
     if (pair.color != overflow_color)
     {
         if (is_dynamic_a) mask_a |= std::uint32_t{1} << pair.color;
         if (is_dynamic_b) mask_b |= std::uint32_t{1} << pair.color;
     }
-    std::pmr::vector<std::uint32_t>& list = colors_[pair.color];
-    pair.index_in_color = static_cast<std::uint32_t>(list.size());
-    list.push_back(contact);
 }
 
 void ContactColors::remove(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies)

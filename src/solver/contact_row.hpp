@@ -42,6 +42,8 @@ struct ContactRow
 
     BodyIndices<F> body_a;
     BodyIndices<F> body_b;
+    BodyIndices<F> pushed_a; ///< body_a where its velocity can change, else 0
+    BodyIndices<F> pushed_b;
     LaneVec<F> inv_mass_a;
     LaneVec<F> inv_mass_b;
     F inv_inertia_a;

@@ -17,7 +17,8 @@ void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPo
         const Vec2 inv_mass = mass_a.inv_mass + mass_b.inv_mass;
         const float arm_a = cross(point.r_a, u);
         const float arm_b = cross(point.r_b, u);
-        const float k = inv_mass.x * u.x * u.x + inv_mass.y * u.y * u.y + mass_a.inv_inertia * arm_a * arm_a + mass_b.inv_inertia * arm_b * arm_b;
+        const float k =
+            inv_mass.x * u.x * u.x + inv_mass.y * u.y * u.y + mass_a.inv_inertia * arm_a * arm_a + mass_b.inv_inertia * arm_b * arm_b;
         return k > 0 ? 1 / k : 0.0f;
     };
     const Vec2 dv = (b.v + cross(b.w, point.r_b)) - (a.v + cross(a.w, point.r_a));
@@ -32,6 +33,8 @@ void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPo
     lane(out.lambda_n, i) = warm_scale * point.normal_impulse;
     lane(out.lambda_t, i) = warm_scale * point.tangent_impulse;
 }
+
+inline bool can_be_pushed(const BodyMass& mass) { return mass.inv_mass != Vec2{} || mass.inv_inertia != 0; }
 
 /// Writes a contact into lane `i` of a row.
 template <class F, int N>
@@ -52,6 +55,8 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     row.contact[at] = slot;
     row.body_a[at] = index_a;
     row.body_b[at] = index_b;
+    row.pushed_a[at] = can_be_pushed(mass_a) ? index_a : 0;
+    row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
     set_lane(row.inv_mass_a, i, mass_a.inv_mass);
     set_lane(row.inv_mass_b, i, mass_b.inv_mass);
     lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
@@ -106,8 +111,10 @@ void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lan
     RowWriter<F, 2> pairs(double_, lanes);
     for (const std::uint32_t slot : color)
     {
-        if (contacts.manifolds[slot].count == 1) single.write(slot, bodies, contacts, constants);
-        else pairs.write(slot, bodies, contacts, constants);
+        if (contacts.manifolds[slot].count == 1)
+            single.write(slot, bodies, contacts, constants);
+        else
+            pairs.write(slot, bodies, contacts, constants);
         any_bounces_ = any_bounces_ || contacts.contacts[slot].restitution > 0;
     }
     range.end_single = single_.size();
@@ -141,8 +148,8 @@ void ContactSolver<F>::for_each_row(std::span<BodyMotion> motions, Kernel&& kern
         BodyLanes<F> a = gather<F>(motions, row.body_a);
         BodyLanes<F> b = gather<F>(motions, row.body_b);
         kernel(row, a, b);
-        scatter<F>(motions, row.body_a, a);
-        scatter<F>(motions, row.body_b, b);
+        scatter<F>(motions, row.pushed_a, a);
+        scatter<F>(motions, row.pushed_b, b);
     };
     for (const ColorRange& range : ranges_)
     {

@@ -1,6 +1,8 @@
 // Semi-implicit Euler, substep by substep.
 #include "solver/integrate.hpp"
 
+#include <algorithm>
+
 namespace carom::detail
 {
 
@@ -26,7 +28,8 @@ Rot turned(Rot q, float turn)
     // length stays 1 whatever t is, so that a fast spin loses accuracy, never unit length.
     const float x = 0.5f * turn;
     const float x2 = x * x;
-    const float t = x + x * x2 * (1 / 3.0f + x2 * (2 / 15.0f));
+    constexpr float half_turn = 1e9f; // t beyond it is a turn by pi already, and its square must not overflow
+    const float t = std::clamp(x + x * x2 * (1 / 3.0f + x2 * (2 / 15.0f)), -half_turn, half_turn);
     const float inv = 1 / (1 + t * t);
     return Rot{(1 - t * t) * inv, 2 * t * inv} * q;
 }

@@ -24,40 +24,19 @@ std::uint32_t editable(const detail::WorldState& world, BodyId id, std::string_v
 
 // ---- reading ----
 
-BodyType BodyView::type() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "type")].type;
-}
+BodyType BodyView::type() const { return world_->bodies.records[require_body(*world_, id_, "type")].type; }
 
-Transform BodyView::transform() const
-{
-    return world_->bodies.poses[require_body(*world_, id_, "transform")].transform;
-}
+Transform BodyView::transform() const { return world_->bodies.poses[require_body(*world_, id_, "transform")].transform; }
 
-Vec2 BodyView::position() const
-{
-    return world_->bodies.poses[require_body(*world_, id_, "position")].transform.p;
-}
+Vec2 BodyView::position() const { return world_->bodies.poses[require_body(*world_, id_, "position")].transform.p; }
 
-float BodyView::angle() const
-{
-    return carom::angle(world_->bodies.poses[require_body(*world_, id_, "angle")].transform.q);
-}
+float BodyView::angle() const { return carom::angle(world_->bodies.poses[require_body(*world_, id_, "angle")].transform.q); }
 
-Vec2 BodyView::center_of_mass() const
-{
-    return world_->bodies.poses[require_body(*world_, id_, "center_of_mass")].center;
-}
+Vec2 BodyView::center_of_mass() const { return world_->bodies.poses[require_body(*world_, id_, "center_of_mass")].center; }
 
-Vec2 BodyView::linear_velocity() const
-{
-    return world_->bodies.velocity(require_body(*world_, id_, "linear_velocity"));
-}
+Vec2 BodyView::linear_velocity() const { return world_->bodies.velocity(require_body(*world_, id_, "linear_velocity")); }
 
-float BodyView::angular_velocity() const
-{
-    return world_->bodies.spin(require_body(*world_, id_, "angular_velocity"));
-}
+float BodyView::angular_velocity() const { return world_->bodies.spin(require_body(*world_, id_, "angular_velocity")); }
 
 Vec2 BodyView::velocity_at(Vec2 world_point) const
 {
@@ -65,55 +44,25 @@ Vec2 BodyView::velocity_at(Vec2 world_point) const
     return world_->bodies.velocity(body) + cross(world_->bodies.spin(body), world_point - world_->bodies.poses[body].center);
 }
 
-MassData BodyView::mass_data() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "mass_data")].mass;
-}
+MassData BodyView::mass_data() const { return world_->bodies.records[require_body(*world_, id_, "mass_data")].mass; }
 
-float BodyView::linear_damping() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "linear_damping")].linear_damping;
-}
+float BodyView::linear_damping() const { return world_->bodies.records[require_body(*world_, id_, "linear_damping")].linear_damping; }
 
-float BodyView::angular_damping() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "angular_damping")].angular_damping;
-}
+float BodyView::angular_damping() const { return world_->bodies.records[require_body(*world_, id_, "angular_damping")].angular_damping; }
 
-float BodyView::gravity_scale() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "gravity_scale")].gravity_scale;
-}
+float BodyView::gravity_scale() const { return world_->bodies.records[require_body(*world_, id_, "gravity_scale")].gravity_scale; }
 
-MotionLocks BodyView::locks() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "locks")].locks;
-}
+MotionLocks BodyView::locks() const { return world_->bodies.records[require_body(*world_, id_, "locks")].locks; }
 
-bool BodyView::is_attractor() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "is_attractor")].is_attractor;
-}
+bool BodyView::is_attractor() const { return world_->bodies.records[require_body(*world_, id_, "is_attractor")].is_attractor; }
 
-bool BodyView::is_enabled() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "is_enabled")].is_enabled;
-}
+bool BodyView::is_enabled() const { return world_->bodies.records[require_body(*world_, id_, "is_enabled")].is_enabled; }
 
-Vec2 BodyView::force() const
-{
-    return world_->bodies.drives[world_->bodies.motion_index[require_body(*world_, id_, "force")]].force;
-}
+Vec2 BodyView::force() const { return world_->bodies.drives[world_->bodies.motion_index[require_body(*world_, id_, "force")]].force; }
 
-float BodyView::torque() const
-{
-    return world_->bodies.drives[world_->bodies.motion_index[require_body(*world_, id_, "torque")]].torque;
-}
+float BodyView::torque() const { return world_->bodies.drives[world_->bodies.motion_index[require_body(*world_, id_, "torque")]].torque; }
 
-std::size_t BodyView::shape_count() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "shape_count")].shape_count;
-}
+std::size_t BodyView::shape_count() const { return world_->bodies.records[require_body(*world_, id_, "shape_count")].shape_count; }
 
 std::vector<ShapeId> BodyView::shapes() const
 {
@@ -125,15 +74,9 @@ std::vector<ShapeId> BodyView::shapes() const
     return ids;
 }
 
-std::string_view BodyView::name() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "name")].name;
-}
+std::string_view BodyView::name() const { return world_->bodies.records[require_body(*world_, id_, "name")].name; }
 
-std::uint64_t BodyView::user_data() const
-{
-    return world_->bodies.records[require_body(*world_, id_, "user_data")].user_data;
-}
+std::uint64_t BodyView::user_data() const { return world_->bodies.records[require_body(*world_, id_, "user_data")].user_data; }
 
 Aabb BodyView::bounds() const
 {
@@ -214,10 +157,7 @@ void Body::set_is_attractor(bool is_attractor)
     world_->bodies.records[editable(*world_, id_, "set_is_attractor")].is_attractor = is_attractor;
 }
 
-void Body::set_enabled(bool is_enabled)
-{
-    detail::set_body_enabled(*world_, editable(*world_, id_, "set_enabled"), is_enabled);
-}
+void Body::set_enabled(bool is_enabled) { detail::set_body_enabled(*world_, editable(*world_, id_, "set_enabled"), is_enabled); }
 
 void Body::set_mass_data(const MassData& data)
 {
@@ -236,15 +176,9 @@ void Body::reset_mass_data()
     world_->bodies.refresh_mass(body);
 }
 
-void Body::set_name(std::string_view name)
-{
-    world_->bodies.records[editable(*world_, id_, "set_name")].name = name;
-}
+void Body::set_name(std::string_view name) { world_->bodies.records[editable(*world_, id_, "set_name")].name = name; }
 
-void Body::set_user_data(std::uint64_t user_data)
-{
-    world_->bodies.records[editable(*world_, id_, "set_user_data")].user_data = user_data;
-}
+void Body::set_user_data(std::uint64_t user_data) { world_->bodies.records[editable(*world_, id_, "set_user_data")].user_data = user_data; }
 
 void Body::apply_force(Vec2 force, Vec2 world_point)
 {

@@ -15,7 +15,8 @@ void draw_shapes(const detail::WorldState& world, DebugDraw& visitor)
         if (!shapes.slots.is_live(slot)) continue;
         const std::uint32_t body = shapes.records[slot].body;
         const ShapeId id = detail::shape_id(shapes, slot, world.world);
-        visitor.shape(id, {body, world.bodies.slots.generation(body), world.world}, shapes.geometry[slot], world.bodies.poses[body].transform);
+        visitor.shape(id, {body, world.bodies.slots.generation(body), world.world}, shapes.geometry[slot],
+                      world.bodies.poses[body].transform);
         if (world.bodies.records[body].is_enabled) visitor.bounds(id, shapes.bounds[slot].tight, shapes.bounds[slot].fat);
     }
 }
@@ -27,8 +28,8 @@ void draw_contacts(const detail::WorldState& world, DebugDraw& visitor)
         const detail::Contact& contact = world.contacts.contacts[slot];
         const detail::ContactManifold& manifold = world.contacts.manifolds[slot];
         if (!contact.is_live || contact.is_sensor || manifold.count == 0) continue;
-        visitor.contact(detail::shape_id(world.shapes, contact.shape_a, world.world), detail::shape_id(world.shapes, contact.shape_b, world.world),
-                        detail::public_manifold(manifold));
+        visitor.contact(detail::shape_id(world.shapes, contact.shape_a, world.world),
+                        detail::shape_id(world.shapes, contact.shape_b, world.world), detail::public_manifold(manifold));
     }
 }
 

@@ -48,8 +48,10 @@ void link_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
 {
     BodyRecord& record = world.bodies.records[body];
     world.shapes.records[shape].previous_of_body = record.last_shape;
-    if (record.last_shape != null_index) world.shapes.records[record.last_shape].next_of_body = shape;
-    else record.first_shape = shape;
+    if (record.last_shape != null_index)
+        world.shapes.records[record.last_shape].next_of_body = shape;
+    else
+        record.first_shape = shape;
     record.last_shape = shape;
     ++record.shape_count;
 }
@@ -66,19 +68,23 @@ void unlink_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
 
 } // namespace
 
-std::uint32_t create_body(WorldState& world, const BodyDef& def)
-{
-    return world.bodies.create(def);
-}
+std::uint32_t create_body(WorldState& world, const BodyDef& def) { return world.bodies.create(def); }
 
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def)
 {
     const std::uint32_t shape = world.shapes.create(body, geometry, def);
+    // From here on `geometry` may dangle: it may have been a shape's of this world, and the store has grown.
+    const Geometry& stored = world.shapes.geometry[shape];
+    Rollback without_proxy([&] { world.shapes.destroy(shape); });
+    if (world.bodies.records[body].is_enabled)
+        insert_proxy(world, shape);
+    else
+        world.shapes.bounds[shape].tight = aabb_of(stored, world.bodies.poses[body].transform);
+    without_proxy.dismiss();
+
     link_shape(world, body, shape);
-    if (world.bodies.records[body].is_enabled) insert_proxy(world, shape);
-    else world.shapes.bounds[shape].tight = aabb_of(geometry, world.bodies.poses[body].transform);
     MassData& mass = world.bodies.records[body].shapes_mass;
-    mass = combined(mass, mass_from(geometry, def.density));
+    mass = combined(mass, mass_from(stored, def.density));
     world.bodies.refresh_mass(body);
     return shape;
 }
@@ -97,12 +103,11 @@ void destroy_body(WorldState& world, std::uint32_t body)
 {
     destroy_contacts_of_body(world, body);
     const bool has_proxies = world.bodies.records[body].is_enabled;
-    for_each_shape(world, body,
-                   [&](std::uint32_t shape)
-                   {
-                       if (has_proxies) remove_proxy(world, shape);
-                       world.shapes.destroy(shape);
-                   });
+    for_each_shape(world, body, [&](std::uint32_t shape)
+    {
+        if (has_proxies) remove_proxy(world, shape);
+        world.shapes.destroy(shape);
+    });
     world.bodies.destroy(body);
 }
 
@@ -156,15 +161,15 @@ void set_body_transform(WorldState& world, std::uint32_t body, const Transform& 
     if (world.bodies.records[body].is_enabled)
         refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
     else
-        for_each_shape(world, body, [&](std::uint32_t shape)
-                       { world.shapes.bounds[shape].tight = aabb_of(world.shapes.geometry[shape], transform); });
+        for_each_shape(world, body,
+                       [&](std::uint32_t shape) { world.shapes.bounds[shape].tight = aabb_of(world.shapes.geometry[shape], transform); });
 }
 
 void refresh_mass(WorldState& world, std::uint32_t body)
 {
     MassData sum;
     for_each_shape(world, body, [&](std::uint32_t shape)
-                   { sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
+    { sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
     world.bodies.records[body].shapes_mass = sum;
     world.bodies.refresh_mass(body);
 }

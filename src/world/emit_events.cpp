@@ -34,9 +34,12 @@ void add_sensor_events(const Contact& contact, const ShapeStore& shapes, std::ui
 void emit_sensor(Contact& contact, bool touches_now, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
     const bool wants_persist = shapes.records[contact.shape_a].persist_events || shapes.records[contact.shape_b].persist_events;
-    if (touches_now && !contact.is_touching) add_sensor_events(contact, shapes, world, events.sensor_begin);
-    else if (touches_now && wants_persist) add_sensor_events(contact, shapes, world, events.sensor_persist);
-    else if (!touches_now && contact.is_touching) add_sensor_events(contact, shapes, world, events.sensor_end);
+    if (touches_now && !contact.is_touching)
+        add_sensor_events(contact, shapes, world, events.sensor_begin);
+    else if (touches_now && wants_persist)
+        add_sensor_events(contact, shapes, world, events.sensor_persist);
+    else if (!touches_now && contact.is_touching)
+        add_sensor_events(contact, shapes, world, events.sensor_end);
     contact.is_touching = touches_now;
 }
 
@@ -50,23 +53,26 @@ void emit_contact(Contact& contact, const ContactManifold& manifold, bool touche
     const ShapeId id_a = shape_id(shapes, contact.shape_a, world);
     const ShapeId id_b = shape_id(shapes, contact.shape_b, world);
 
-    if (touches_now && !contact.is_touching && wants_ends) events.contact_begin.push_back({id_a, id_b, public_manifold(manifold)});
-    else if (touches_now && contact.is_touching && wants_persist) events.contact_persist.push_back({id_a, id_b, public_manifold(manifold)});
-    else if (!touches_now && contact.is_touching && wants_ends) events.contact_end.push_back({id_a, id_b});
+    if (touches_now && !contact.is_touching && wants_ends)
+        events.contact_begin.push_back({id_a, id_b, public_manifold(manifold)});
+    else if (touches_now && contact.is_touching && wants_persist)
+        events.contact_persist.push_back({id_a, id_b, public_manifold(manifold)});
+    else if (!touches_now && contact.is_touching && wants_ends)
+        events.contact_end.push_back({id_a, id_b});
     contact.is_touching = touches_now;
 }
 
 template <class List>
 void sort_contacts(List& list)
 {
-    std::sort(list.begin(), list.end(), [](const auto& l, const auto& r)
-              { return std::pair(l.shape_a, l.shape_b) < std::pair(r.shape_a, r.shape_b); });
+    std::sort(list.begin(), list.end(),
+              [](const auto& l, const auto& r) { return std::pair(l.shape_a, l.shape_b) < std::pair(r.shape_a, r.shape_b); });
 }
 
 void sort_sensors(std::pmr::vector<SensorEvent>& list)
 {
-    std::sort(list.begin(), list.end(), [](const SensorEvent& l, const SensorEvent& r)
-              { return std::pair(l.sensor, l.visitor) < std::pair(r.sensor, r.visitor); });
+    std::sort(list.begin(), list.end(),
+              [](const SensorEvent& l, const SensorEvent& r) { return std::pair(l.sensor, l.visitor) < std::pair(r.sensor, r.visitor); });
 }
 
 } // namespace
@@ -123,8 +129,10 @@ int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t 
         if (!contact.is_live || (manifold.count == 0 && !contact.is_touching)) continue;
         const bool touches_now = touches(contact, manifold);
         touching += touches_now ? 1 : 0;
-        if (contact.is_sensor) emit_sensor(contact, touches_now, shapes, world, events);
-        else emit_contact(contact, manifold, touches_now, shapes, world, events);
+        if (contact.is_sensor)
+            emit_sensor(contact, touches_now, shapes, world, events);
+        else
+            emit_contact(contact, manifold, touches_now, shapes, world, events);
     }
 
     sort_contacts(events.contact_begin);

@@ -16,8 +16,14 @@ namespace carom::detail
 struct EventBuffers
 {
     explicit EventBuffers(std::pmr::memory_resource& memory)
-        : contact_begin(&memory), contact_persist(&memory), contact_end(&memory), sensor_begin(&memory), sensor_persist(&memory),
-          sensor_end(&memory), pending_contact_end(&memory), pending_sensor_end(&memory)
+        : contact_begin(&memory),
+          contact_persist(&memory),
+          contact_end(&memory),
+          sensor_begin(&memory),
+          sensor_persist(&memory),
+          sensor_end(&memory),
+          pending_contact_end(&memory),
+          pending_sensor_end(&memory)
     {
     }
 

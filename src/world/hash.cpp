@@ -39,6 +39,14 @@ private:
     std::uint64_t state_ = 0x243f6a8885a308d3ull;
 };
 
+/// Who lives where, and in which order free places will be taken again.
+void add_slots(Hasher& hasher, const detail::SlotPool& slots)
+{
+    hasher.add_all(slots.size(), slots.first_free());
+    for (std::uint32_t slot = 0; slot < slots.size(); ++slot)
+        hasher.add_all(slots.generation(slot), slots.is_live(slot), slots.is_live(slot) ? 0 : slots.next_free(slot));
+}
+
 void add_geometry(Hasher& hasher, const Geometry& geometry)
 {
     hasher.add(static_cast<int>(geometry.index()));
@@ -54,29 +62,32 @@ void add_geometry(Hasher& hasher, const Geometry& geometry)
 
 void add_bodies(Hasher& hasher, const detail::BodyStore& bodies)
 {
+    add_slots(hasher, bodies.slots);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
     {
-        hasher.add_all(bodies.slots.generation(slot), bodies.slots.is_live(slot));
         if (!bodies.slots.is_live(slot)) continue;
         const detail::BodyRecord& body = bodies.records[slot];
         const detail::BodyPose& pose = bodies.poses[slot];
         const detail::BodyDrive& drive = bodies.drives[bodies.motion_index[slot]];
         hasher.add_all(static_cast<int>(body.type), body.is_enabled, body.is_attractor, body.has_mass_override);
         hasher.add_all(body.locks.x, body.locks.y, body.locks.rotation, body.linear_damping, body.angular_damping, body.gravity_scale);
-        hasher.add_all(body.mass, body.shapes_mass, body.color_mask, bodies.motion_index[slot]);
-        hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force, drive.torque);
+        hasher.add_all(body.mass, body.shapes_mass, body.color_mask, bodies.motion_index[slot], body.first_shape, body.first_contact);
+        hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force,
+                       drive.torque);
     }
 }
 
 void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
 {
+    add_slots(hasher, shapes.slots);
     for (std::uint32_t slot = 0; slot < shapes.slots.size(); ++slot)
     {
-        hasher.add_all(shapes.slots.generation(slot), shapes.slots.is_live(slot));
         if (!shapes.slots.is_live(slot)) continue;
         const detail::ShapeRecord& shape = shapes.records[slot];
-        hasher.add_all(shape.body, shape.density, shape.is_sensor, shape.contact_events, shape.persist_events, shape.sensor_events);
-        hasher.add_all(shape.material.friction, shape.material.restitution, shape.material.rolling_resistance, shape.material.tangent_speed);
+        hasher.add_all(shape.body, shape.next_of_body, shape.density, shape.is_sensor, shape.contact_events, shape.persist_events,
+                       shape.sensor_events);
+        hasher.add_all(shape.material.friction, shape.material.restitution, shape.material.rolling_resistance,
+                       shape.material.tangent_speed);
         hasher.add_all(shape.filter.category, shape.filter.mask, static_cast<std::uint32_t>(shape.filter.group));
         hasher.add_all(shapes.bounds[slot].fat, shapes.place_in_moved[slot] != detail::null_index);
         add_geometry(hasher, shapes.geometry[slot]);
@@ -85,13 +96,14 @@ void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
 
 void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
 {
+    add_slots(hasher, contacts.slots);
     for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
     {
         const detail::Contact& contact = contacts.contacts[slot];
-        hasher.add(contact.is_live);
         if (!contact.is_live) continue;
         const detail::ContactManifold& manifold = contacts.manifolds[slot];
         hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.index_in_color, contact.is_touching);
+        hasher.add_all(contact.next[0], contact.next[1]);
         hasher.add_all(contact.friction, contact.restitution, contact.rolling_resistance, contact.tangent_speed);
         hasher.add_all(manifold.count, manifold.normal, manifold.rolling_impulse, manifold.carried_impulse);
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
@@ -104,9 +116,9 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
 
 void add_fields(Hasher& hasher, const detail::FieldStore& fields)
 {
+    add_slots(hasher, fields.slots);
     for (std::uint32_t slot = 0; slot < fields.slots.size(); ++slot)
     {
-        hasher.add(fields.slots.is_live(slot));
         if (!fields.slots.is_live(slot)) continue;
         const Field& field = fields.fields[slot];
         hasher.add(static_cast<int>(field.index()));

@@ -45,40 +45,19 @@ BodyId ShapeView::body() const
     return {body, world_->bodies.slots.generation(body), world_->world};
 }
 
-const Geometry& ShapeView::geometry() const
-{
-    return world_->shapes.geometry[require_shape(*world_, id_, "geometry")];
-}
+const Geometry& ShapeView::geometry() const { return world_->shapes.geometry[require_shape(*world_, id_, "geometry")]; }
 
-float ShapeView::density() const
-{
-    return world_->shapes.records[require_shape(*world_, id_, "density")].density;
-}
+float ShapeView::density() const { return world_->shapes.records[require_shape(*world_, id_, "density")].density; }
 
-const Material& ShapeView::material() const
-{
-    return world_->shapes.records[require_shape(*world_, id_, "material")].material;
-}
+const Material& ShapeView::material() const { return world_->shapes.records[require_shape(*world_, id_, "material")].material; }
 
-const Filter& ShapeView::filter() const
-{
-    return world_->shapes.records[require_shape(*world_, id_, "filter")].filter;
-}
+const Filter& ShapeView::filter() const { return world_->shapes.records[require_shape(*world_, id_, "filter")].filter; }
 
-bool ShapeView::is_sensor() const
-{
-    return world_->shapes.records[require_shape(*world_, id_, "is_sensor")].is_sensor;
-}
+bool ShapeView::is_sensor() const { return world_->shapes.records[require_shape(*world_, id_, "is_sensor")].is_sensor; }
 
-Aabb ShapeView::bounds() const
-{
-    return world_->shapes.bounds[require_shape(*world_, id_, "bounds")].tight;
-}
+Aabb ShapeView::bounds() const { return world_->shapes.bounds[require_shape(*world_, id_, "bounds")].tight; }
 
-std::uint64_t ShapeView::user_data() const
-{
-    return world_->shapes.records[require_shape(*world_, id_, "user_data")].user_data;
-}
+std::uint64_t ShapeView::user_data() const { return world_->shapes.records[require_shape(*world_, id_, "user_data")].user_data; }
 
 bool ShapeView::contains(Vec2 world_point) const
 {
@@ -91,13 +70,12 @@ std::vector<ShapeId> ShapeView::touching() const
 {
     const std::uint32_t shape = require_shape(*world_, id_, "touching");
     std::vector<ShapeId> ids;
-    for_each_contact(*world_, shape,
-                     [&](std::uint32_t slot)
-                     {
-                         const detail::Contact& contact = world_->contacts.contacts[slot];
-                         const std::uint32_t other = contact.shape_a == shape ? contact.shape_b : contact.shape_a;
-                         if (contact.is_touching) ids.push_back(detail::shape_id(world_->shapes, other, world_->world));
-                     });
+    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    {
+        const detail::Contact& contact = world_->contacts.contacts[slot];
+        const std::uint32_t other = contact.shape_a == shape ? contact.shape_b : contact.shape_a;
+        if (contact.is_touching) ids.push_back(detail::shape_id(world_->shapes, other, world_->world));
+    });
     std::sort(ids.begin(), ids.end());
     return ids;
 }
@@ -116,13 +94,12 @@ void Shape::set_filter(const Filter& filter)
     detail::ShapeRecord& record = world_->shapes.records[shape];
     if (record.filter == filter) return;
     record.filter = filter;
-    for_each_contact(*world_, shape,
-                     [&](std::uint32_t slot)
-                     {
-                         const detail::Contact& contact = world_->contacts.contacts[slot];
-                         const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
-                         if (!detail::judge_pair(world_->shapes, world_->bodies, pair).makes_contact) detail::destroy_contact(*world_, slot);
-                     });
+    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    {
+        const detail::Contact& contact = world_->contacts.contacts[slot];
+        const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
+        if (!detail::judge_pair(world_->shapes, world_->bodies, pair).makes_contact) detail::destroy_contact(*world_, slot);
+    });
     if (world_->bodies.records[record.body].is_enabled) world_->shapes.mark_moved(shape);
 }
 
@@ -133,15 +110,16 @@ void Shape::set_geometry(const Geometry& geometry)
     detail::validate_density(geometry, world_->shapes.records[shape].density, "set_geometry");
     const std::uint32_t body = world_->shapes.records[shape].body;
     world_->shapes.geometry[shape] = geometry;
-    if (world_->bodies.records[body].is_enabled) detail::renew_proxy(*world_, shape);
-    else world_->shapes.bounds[shape].tight = aabb_of(geometry, world_->bodies.poses[body].transform);
+    if (world_->bodies.records[body].is_enabled)
+        detail::renew_proxy(*world_, shape);
+    else
+        world_->shapes.bounds[shape].tight = aabb_of(geometry, world_->bodies.poses[body].transform);
     // Features of the old geometry mean nothing on the new one.
-    for_each_contact(*world_, shape,
-                     [&](std::uint32_t slot)
-                     {
-                         detail::mix_materials(world_->contacts.contacts[slot], world_->shapes);
-                         detail::forget_impulses(world_->contacts.manifolds[slot]);
-                     });
+    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    {
+        detail::mix_materials(world_->contacts.contacts[slot], world_->shapes);
+        detail::forget_impulses(world_->contacts.manifolds[slot]);
+    });
     detail::refresh_mass(*world_, body);
 }
 

@@ -20,8 +20,7 @@ void apply_changes(WorldState& world)
 {
     for (const std::uint32_t contact : world.changes.lost_points) world.colors.remove(contact, world.contacts, world.bodies);
     for (const std::uint32_t contact : world.changes.separated) destroy_contact(world, contact);
-    for (const std::uint32_t contact : world.changes.gained_points)
-        if (!world.contacts.contacts[contact].is_sensor) world.colors.add(contact, world.contacts, world.bodies);
+    for (const std::uint32_t contact : world.changes.gained_points) world.colors.add(contact, world.contacts, world.bodies);
 }
 
 void disable_not_finite(WorldState& world)

@@ -33,6 +33,8 @@ void require_idle(const WorldState& world, std::string_view function)
 {
     if (world.is_stepping.load(std::memory_order_relaxed)) [[unlikely]]
         usage_error(function, "world", std::string_view("stepping"), "change the world between steps, not during one");
+    if (world.is_broken) [[unlikely]]
+        usage_error(function, "world", std::string_view("broken"), "destroy it: its memory resource failed during a step");
 }
 
 std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function)
@@ -99,7 +101,8 @@ void validate_velocity(BodyType type, Vec2 velocity, std::string_view function)
 void validate_spin(BodyType type, float spin, std::string_view function)
 {
     require_range(function, "angular_velocity", spin, -max_speed, max_speed);
-    if (type == BodyType::Static && spin != 0) usage_error(function, "angular_velocity", spin, "a static body does not move; make it kinematic");
+    if (type == BodyType::Static && spin != 0)
+        usage_error(function, "angular_velocity", spin, "a static body does not move; make it kinematic");
 }
 
 void validate(const BodyDef& def, std::string_view function)
@@ -147,7 +150,8 @@ void validate_mass(const MassData& data, BodyType type, std::string_view functio
 void validate(const Field& field, std::string_view function)
 {
     if (field.valueless_by_exception()) usage_error(function, "field", std::string_view("empty"), "give a field");
-    if (const auto* uniform = std::get_if<UniformField>(&field)) require_within(function, "acceleration", uniform->acceleration, max_factor);
+    if (const auto* uniform = std::get_if<UniformField>(&field))
+        require_within(function, "acceleration", uniform->acceleration, max_factor);
     if (const auto* point = std::get_if<PointField>(&field))
     {
         require_within(function, "center", point->center, max_coordinate);

@@ -2,6 +2,7 @@
 #include <carom/world.hpp>
 
 #include "geometry/validate.hpp"
+#include "memory/make_room.hpp"
 #include "world/edits.hpp"
 #include "world/step.hpp"
 #include "world/validate.hpp"
@@ -79,7 +80,9 @@ BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const Sh
     detail::validate_density(geometry, shape.density, "create_body");
 
     const std::uint32_t body = detail::create_body(world, def);
+    detail::Rollback without_shape([&] { detail::destroy_body(world, body); });
     detail::create_shape(world, body, geometry, shape);
+    without_shape.dismiss();
     // The velocity was given for the centre of mass that the shape has brought.
     world.bodies.set_velocity(body, def.linear_velocity);
     return {body, world.bodies.slots.generation(body), world.world};
@@ -172,10 +175,7 @@ std::vector<BodyId> World::bodies() const
     return ids;
 }
 
-Vec2 World::gravity() const
-{
-    return state().gravity;
-}
+Vec2 World::gravity() const { return state().gravity; }
 
 void World::set_gravity(Vec2 gravity)
 {
@@ -190,9 +190,12 @@ FieldId World::add_field(const Field& field)
     WorldState& world = state();
     require_idle(world, "add_field");
     detail::validate(field, "add_field");
+    detail::make_room(world.fields.fields, world.fields.fields.size() + 1);
     const std::uint32_t slot = world.fields.slots.acquire();
-    if (slot == world.fields.fields.size()) world.fields.fields.push_back(field);
-    else world.fields.fields[slot] = field;
+    if (slot == world.fields.fields.size())
+        world.fields.fields.push_back(field);
+    else
+        world.fields.fields[slot] = field;
     return {slot, world.fields.slots.generation(slot), world.world};
 }
 
@@ -225,13 +228,17 @@ StepReport World::step(float dt, int substeps)
     if (dt != 0) detail::require_range("step", "dt", dt, 1e-6f, 1.0f);
     detail::require_range("step", "substeps", substeps, 1, 64);
     const StepGuard guard(world.is_stepping);
-    return detail::step(world, dt, substeps);
+    world.is_broken = true; // unless the step comes to its end
+    const StepReport report = detail::step(world, dt, substeps);
+    world.is_broken = false;
+    return report;
 }
 
 Events World::events() const
 {
     const detail::EventBuffers& events = state().events;
-    return {events.contact_begin, events.contact_persist, events.contact_end, events.sensor_begin, events.sensor_persist, events.sensor_end};
+    return {events.contact_begin, events.contact_persist, events.contact_end,
+            events.sensor_begin,  events.sensor_persist,  events.sensor_end};
 }
 
 Manifold World::manifold(ShapeId a, ShapeId b) const
@@ -250,21 +257,16 @@ Manifold World::manifold(ShapeId a, ShapeId b) const
         {
             Manifold turned = manifold;
             turned.normal = -manifold.normal;
+            turned.rolling_impulse = -manifold.rolling_impulse; // on the second shape; those of the points turn with the normal
             return turned;
         }
     }
     return {};
 }
 
-BroadPhaseType World::broad_phase() const
-{
-    return state().broad_phase->type();
-}
+BroadPhaseType World::broad_phase() const { return state().broad_phase->type(); }
 
-BroadPhaseOptions World::broad_phase_options() const
-{
-    return state().broad_phase_options;
-}
+BroadPhaseOptions World::broad_phase_options() const { return state().broad_phase_options; }
 
 void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options)
 {
@@ -274,10 +276,7 @@ void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& option
     detail::set_broad_phase(world, type, options);
 }
 
-SolverTuning World::solver_tuning() const
-{
-    return state().tuning;
-}
+SolverTuning World::solver_tuning() const { return state().tuning; }
 
 void World::set_solver_tuning(const SolverTuning& tuning)
 {
@@ -287,19 +286,10 @@ void World::set_solver_tuning(const SolverTuning& tuning)
     world.tuning = tuning;
 }
 
-int World::body_count() const
-{
-    return state().bodies.slots.live_count();
-}
+int World::body_count() const { return state().bodies.slots.live_count(); }
 
-int World::shape_count() const
-{
-    return state().shapes.slots.live_count();
-}
+int World::shape_count() const { return state().shapes.slots.live_count(); }
 
-std::uint64_t World::step_count() const
-{
-    return state().step_count;
-}
+std::uint64_t World::step_count() const { return state().step_count; }
 
 } // namespace carom

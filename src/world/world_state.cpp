@@ -19,10 +19,25 @@ std::uint32_t next_world_number()
 } // namespace
 
 WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
-    : memory(upstream), world(next_world_number()), gravity(def.gravity), tuning(def.solver), broad_phase_options(def.broad_phase_options),
-      fields(memory), bodies(memory), shapes(memory), contacts(memory), pairs(memory),
-      broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory)), colors(memory), events(memory), quarantined(&memory),
-      found_pairs(&memory), not_finite(&memory), changes(memory), solver(memory), field_forces(memory)
+    : memory(upstream),
+      world(next_world_number()),
+      gravity(def.gravity),
+      tuning(def.solver),
+      broad_phase_options(def.broad_phase_options),
+      fields(memory),
+      bodies(memory),
+      shapes(memory),
+      contacts(memory),
+      pairs(memory),
+      broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory)),
+      colors(memory),
+      events(memory),
+      quarantined(&memory),
+      found_pairs(&memory),
+      not_finite(&memory),
+      changes(memory),
+      solver(memory),
+      field_forces(memory)
 {
     bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));
     shapes.reserve(static_cast<std::size_t>(def.capacity.shapes));

@@ -32,6 +32,7 @@ struct WorldState
     CountingResource memory; ///< all that follows comes from here
     std::uint32_t world;     ///< the number that this world's ids carry; never 0
     std::atomic<bool> is_stepping = false;
+    bool is_broken = false; ///< a step was stopped half-way by the memory resource
 
     // What the user set.
     Vec2 gravity;

@@ -17,18 +17,13 @@ constexpr float g = 9.81f;
 double kinetic_energy(const BodyView& body)
 {
     const MassData mass = body.mass_data();
-    return 0.5 * mass.mass * length_squared(body.linear_velocity()) + 0.5 * mass.inertia * body.angular_velocity() * body.angular_velocity();
+    return 0.5 * mass.mass * length_squared(body.linear_velocity()) +
+           0.5 * mass.inertia * body.angular_velocity() * body.angular_velocity();
 }
 
-Vec2 momentum(const BodyView& body)
-{
-    return body.mass_data().mass * body.linear_velocity();
-}
+Vec2 momentum(const BodyView& body) { return body.mass_data().mass * body.linear_velocity(); }
 
-ShapeDef surface(float friction, float restitution = 0)
-{
-    return {.material = {.friction = friction, .restitution = restitution}};
-}
+ShapeDef surface(float friction, float restitution = 0) { return {.material = {.friction = friction, .restitution = restitution}}; }
 
 } // namespace
 

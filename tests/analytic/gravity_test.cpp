@@ -46,7 +46,8 @@ Orbit orbit(double radius, double strength, int turns, bool around_a_body)
         world.body(sun).set_mass_data({.mass = 1e6f, .inertia = 1e6f});
         world.add_field(NBodyField{.gravitational_constant = static_cast<float>(strength / 1e6), .sources = NBodySources::Attractors});
     }
-    else world.add_field(PointField{.strength = static_cast<float>(strength)});
+    else
+        world.add_field(PointField{.strength = static_cast<float>(strength)});
 
     const double speed = std::sqrt(strength / radius);
     const Vec2 start = {static_cast<float>(radius), 0};
@@ -124,7 +125,8 @@ TEST(Gravity, barnes_hut_is_within_1_percent_of_the_direct_sum)
         for (int i = 0; i < 10000; ++i)
         {
             const Vec2 position = {static_cast<float>(1000 * random.next() - 500), static_cast<float>(1000 * random.next() - 500)};
-            ids.push_back(world.create_body({.position = position}, circle(0.5f), {.density = static_cast<float>(0.5 + random.next()), .filter = {.mask = 0}}));
+            ids.push_back(world.create_body({.position = position}, circle(0.5f),
+                                            {.density = static_cast<float>(0.5 + random.next()), .filter = {.mask = 0}}));
         }
         world.step(dt, 1);
         std::vector<Vec2> result;

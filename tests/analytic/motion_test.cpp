@@ -14,10 +14,7 @@ namespace
 constexpr float dt = 1 / 60.0f;
 
 /// Velocity and place after n substeps h of semi-implicit Euler at constant acceleration a: v = a n h, x = a h^2 n (n + 1) / 2.
-double stepped_distance(double a, double h, int n)
-{
-    return a * h * h * n * (n + 1) / 2;
-}
+double stepped_distance(double a, double h, int n) { return a * h * h * n * (n + 1) / 2; }
 
 } // namespace
 
@@ -105,7 +102,8 @@ TEST(Motion, a_spin_turns_by_its_angle_even_when_fast)
 TEST(Motion, damping_decays_velocity_exponentially)
 {
     World world({.gravity = {0, 0}});
-    const BodyId id = world.create_body({.linear_velocity = {8, 0}, .angular_velocity = 6, .linear_damping = 0.5f, .angular_damping = 1}, circle(1));
+    const BodyId id =
+        world.create_body({.linear_velocity = {8, 0}, .angular_velocity = 6, .linear_damping = 0.5f, .angular_damping = 1}, circle(1));
     for (int i = 0; i < 120; ++i) world.step(dt);
     EXPECT_NEAR(world.body(id).linear_velocity().x, 8 * std::exp(-1.0), 0.01);
     EXPECT_NEAR(world.body(id).angular_velocity(), 6 * std::exp(-2.0), 0.01);

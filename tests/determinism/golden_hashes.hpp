@@ -16,12 +16,12 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0x8bf3ce9aecb93f9f},
-    SceneHash{"triggers", 0x8ef4714799448936},
-    SceneHash{"collisions", 0x25808b25e06d12ad},
-    SceneHash{"gravity", 0xfdf22a9632382a2e},
+    SceneHash{"planets", 0x9259e249020ee02b},
+    SceneHash{"triggers", 0xc1eec1acd98d5096},
+    SceneHash{"collisions", 0xba70d041257301bb},
+    SceneHash{"gravity", 0xb46176862dff5c7e},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x6b223cb5965e4346;
+inline constexpr std::uint64_t mixed_world = 0x29ff5b8cbabf0f5e;
 
 } // namespace carom::golden

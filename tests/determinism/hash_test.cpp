@@ -16,7 +16,8 @@ namespace carom
 namespace
 {
 
-constexpr std::array broad_phases = {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree, BroadPhaseType::Tree};
+constexpr std::array broad_phases = {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree,
+                                     BroadPhaseType::Tree};
 
 /// A world in which everything happens: piles, bounces, sensors, fields, things that come and go.
 std::uint64_t run_mixed_world(BroadPhaseType first, bool switches)
@@ -34,10 +35,14 @@ std::uint64_t run_mixed_world(BroadPhaseType first, bool switches)
         const float y = 4 + 0.7f * static_cast<float>(i % 29);
         const ShapeDef def = {.material = {.friction = 0.1f * static_cast<float>(i % 7), .restitution = i % 5 == 0 ? 0.7f : 0.0f}};
         const BodyDef body = {.position = {x, y}, .angle = static_cast<float>(i), .angular_velocity = static_cast<float>(i % 3)};
-        if (i % 4 == 0) bodies.push_back(world.create_body(body, circle(0.3f), def));
-        else if (i % 4 == 1) bodies.push_back(world.create_body(body, box(0.7f, 0.5f), def));
-        else if (i % 4 == 2) bodies.push_back(world.create_body(body, capsule({-0.3f, 0}, {0.3f, 0}, 0.2f), def));
-        else bodies.push_back(world.create_body(body, rounded_box(0.6f, 0.6f, 0.1f), def));
+        if (i % 4 == 0)
+            bodies.push_back(world.create_body(body, circle(0.3f), def));
+        else if (i % 4 == 1)
+            bodies.push_back(world.create_body(body, box(0.7f, 0.5f), def));
+        else if (i % 4 == 2)
+            bodies.push_back(world.create_body(body, capsule({-0.3f, 0}, {0.3f, 0}, 0.2f), def));
+        else
+            bodies.push_back(world.create_body(body, rounded_box(0.6f, 0.6f, 0.1f), def));
         world.step(1 / 60.0f);
         if (i % 10 == 9) // one goes, another comes
         {
@@ -63,10 +68,7 @@ TEST(Determinism, switching_the_broad_phase_on_a_live_world_disturbs_nothing)
     EXPECT_EQ(run_mixed_world(BroadPhaseType::Tree, true), run_mixed_world(BroadPhaseType::Tree, false));
 }
 
-TEST(Determinism, the_mixed_world_has_its_golden_hash)
-{
-    EXPECT_EQ(run_mixed_world(BroadPhaseType::Tree, false), golden::mixed_world);
-}
+TEST(Determinism, the_mixed_world_has_its_golden_hash) { EXPECT_EQ(run_mixed_world(BroadPhaseType::Tree, false), golden::mixed_world); }
 
 class SceneHash : public testing::TestWithParam<golden::SceneHash>
 {
@@ -93,10 +95,12 @@ TEST_P(SceneHash, depends_on_the_seed_where_the_scene_does)
 TEST(Determinism, every_scene_has_a_golden_hash)
 {
     for (const scenes::SceneInfo& info : scenes::all_scenes())
-        EXPECT_TRUE(std::any_of(golden::scenes.begin(), golden::scenes.end(), [&](const golden::SceneHash& hash) { return hash.scene == info.name; }))
-            << info.name;
+        EXPECT_TRUE(std::any_of(golden::scenes.begin(), golden::scenes.end(), [&](const golden::SceneHash& hash) {
+            return hash.scene == info.name;
+        })) << info.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneHash, testing::ValuesIn(golden::scenes), [](const auto& scene) { return std::string(scene.param.scene); });
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneHash, testing::ValuesIn(golden::scenes),
+                         [](const auto& scene) { return std::string(scene.param.scene); });
 
 } // namespace carom

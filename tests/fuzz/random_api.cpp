@@ -14,7 +14,19 @@ namespace
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::array nasty = {nan, inf, -inf, 0.0f, -0.0f, -1.0f, 1e30f, -1e30f, 1e-30f, 1e-40f, 1e7f, 1e6f, std::numeric_limits<float>::max(),
+constexpr std::array nasty = {nan,
+                              inf,
+                              -inf,
+                              0.0f,
+                              -0.0f,
+                              -1.0f,
+                              1e30f,
+                              -1e30f,
+                              1e-30f,
+                              1e-40f,
+                              1e7f,
+                              1e6f,
+                              std::numeric_limits<float>::max(),
                               std::numeric_limits<float>::lowest()};
 constexpr int most_bodies = 150;
 
@@ -29,20 +41,14 @@ void expect_complete(const UsageError& error, const char* function)
 
 } // namespace
 
-RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_})
-{
-    foreign_ = other_.create_body({});
-}
+RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_}) { foreign_ = other_.create_body({}); }
 
 float RandomApi::number(float min, float max)
 {
     return random_.one_in(60) ? nasty[static_cast<std::size_t>(random_.below(static_cast<int>(nasty.size())))] : random_.from(min, max);
 }
 
-Vec2 RandomApi::vector(float size)
-{
-    return {number(-size, size), number(-size, size)};
-}
+Vec2 RandomApi::vector(float size) { return {number(-size, size), number(-size, size)}; }
 
 Geometry RandomApi::geometry()
 {
@@ -173,19 +179,20 @@ void RandomApi::create()
     if (is_full || random_.one_in(3))
         try_call("create_shape", [&] { shapes_.push_back(world_.create_shape(body_id(), *shape, shape_def())); });
     else
-        try_call("create_body",
-                 [&]
-                 {
-                     bodies_.push_back(random_.one_in(10) ? world_.create_body(body_def()) : world_.create_body(body_def(), *shape, shape_def()));
-                     for (const ShapeId id : world_.body(bodies_.back()).shapes()) shapes_.push_back(id);
-                 });
+        try_call("create_body", [&]
+        {
+            bodies_.push_back(random_.one_in(10) ? world_.create_body(body_def()) : world_.create_body(body_def(), *shape, shape_def()));
+            for (const ShapeId id : world_.body(bodies_.back()).shapes()) shapes_.push_back(id);
+        });
     tally_.most_bodies = std::max(tally_.most_bodies, world_.body_count());
 }
 
 void RandomApi::destroy()
 {
-    if (random_.one_in(2)) try_call("destroy_shape", [&] { world_.destroy_shape(shape_id()); });
-    else try_call("destroy_body", [&] { world_.destroy_body(body_id()); });
+    if (random_.one_in(2))
+        try_call("destroy_shape", [&] { world_.destroy_shape(shape_id()); });
+    else
+        try_call("destroy_body", [&] { world_.destroy_body(body_id()); });
 }
 
 void RandomApi::edit_body()
@@ -195,7 +202,9 @@ void RandomApi::edit_body()
     Body body = *found;
     switch (random_.below(14))
     {
-    case 0: return try_call("set_type", [&] { body.set_type(random_.one_in(20) ? static_cast<BodyType>(-1) : static_cast<BodyType>(random_.below(3))); });
+    case 0:
+        return try_call("set_type",
+                        [&] { body.set_type(random_.one_in(20) ? static_cast<BodyType>(-1) : static_cast<BodyType>(random_.below(3))); });
     case 1: return try_call("set_transform", [&] { body.set_transform(vector(15), number(-10, 10)); });
     case 2: return try_call("set_linear_velocity", [&] { body.set_linear_velocity(vector(20)); });
     case 3: return try_call("set_angular_velocity", [&] { body.set_angular_velocity(number(-20, 20)); });
@@ -248,28 +257,30 @@ void RandomApi::edit_world()
     switch (random_.below(6))
     {
     case 0: return try_call("set_gravity", [&] { world_.set_gravity(vector(20)); });
-    case 1: return try_call("add_field", [&] { if (fields_.size() < 6) fields_.push_back(world_.add_field(field())); });
+    case 1:
+        return try_call("add_field", [&]
+        {
+            if (fields_.size() < 6) fields_.push_back(world_.add_field(field()));
+        });
     case 2: return try_call("set_field", [&] { world_.set_field(field_id(), field()); });
     case 3:
-        return try_call("remove_field",
-                        [&]
-                        {
-                            const FieldId id = field_id();
-                            world_.remove_field(id);
-                            std::erase(fields_, id);
-                        });
+        return try_call("remove_field", [&]
+        {
+            const FieldId id = field_id();
+            world_.remove_field(id);
+            std::erase(fields_, id);
+        });
     case 4:
-        return try_call("set_broad_phase",
-                        [&]
-                        {
-                            const std::uint64_t before = world_.hash();
-                            world_.set_broad_phase(static_cast<BroadPhaseType>(random_.below(5)),
-                                                   {random_.one_in(10) ? 99 : random_.below(7), random_.one_in(10) ? 0 : 1 + random_.below(20)});
-                            EXPECT_EQ(world_.hash(), before);
-                        });
+        return try_call("set_broad_phase", [&]
+        {
+            const std::uint64_t before = world_.hash();
+            world_.set_broad_phase(static_cast<BroadPhaseType>(random_.below(5)),
+                                   {random_.one_in(10) ? 99 : random_.below(7), random_.one_in(10) ? 0 : 1 + random_.below(20)});
+            EXPECT_EQ(world_.hash(), before);
+        });
     default:
-        return try_call("set_solver_tuning", [&]
-                        { world_.set_solver_tuning({number(10, 60), number(1, 20), number(1, 5), number(0, 2)}); });
+        return try_call("set_solver_tuning",
+                        [&] { world_.set_solver_tuning({number(10, 60), number(1, 20), number(1, 5), number(0, 2)}); });
     }
 }
 
@@ -296,20 +307,20 @@ void RandomApi::read()
 
 void RandomApi::step()
 {
-    try_call("step",
-             [&]
-             {
-                 const float dt = random_.one_in(10) ? 0.0f : number(0.002f, 0.03f);
-                 const StepReport report = world_.step(dt, random_.one_in(30) ? random_.below(80) - 5 : 1 + random_.below(6));
-                 tally_.quarantined += static_cast<int>(report.quarantined.size());
-                 for (const BodyId id : report.quarantined)
-                 {
-                     EXPECT_FALSE(world_.body(id).is_enabled());
-                     EXPECT_TRUE(is_finite(world_.body(id).position()));
-                     EXPECT_EQ(world_.body(id).linear_velocity(), Vec2{});
-                 }
-                 for (const BodyId id : world_.bodies()) EXPECT_TRUE(is_finite(world_.body(id).position()) && is_finite(world_.body(id).linear_velocity()));
-             });
+    try_call("step", [&]
+    {
+        const float dt = random_.one_in(10) ? 0.0f : number(0.002f, 0.03f);
+        const StepReport report = world_.step(dt, random_.one_in(30) ? random_.below(80) - 5 : 1 + random_.below(6));
+        tally_.quarantined += static_cast<int>(report.quarantined.size());
+        for (const BodyId id : report.quarantined)
+        {
+            EXPECT_FALSE(world_.body(id).is_enabled());
+            EXPECT_TRUE(is_finite(world_.body(id).position()));
+            EXPECT_EQ(world_.body(id).linear_velocity(), Vec2{});
+        }
+        for (const BodyId id : world_.bodies())
+            EXPECT_TRUE(is_finite(world_.body(id).position()) && is_finite(world_.body(id).linear_velocity()));
+    });
 }
 
 void RandomApi::edit_during_step()
@@ -396,16 +407,26 @@ void RandomApi::must_refuse()
 void RandomApi::call()
 {
     const int kind = random_.below(100);
-    if (kind < 20) create();
-    else if (kind < 25) destroy();
-    else if (kind < 45) edit_body();
-    else if (kind < 60) push_body();
-    else if (kind < 70) edit_shape();
-    else if (kind < 76) edit_world();
-    else if (kind < 82) read();
-    else if (kind < 86) must_refuse();
-    else if (kind < 87 && random_.one_in(10)) edit_during_step();
-    else step();
+    if (kind < 20)
+        create();
+    else if (kind < 25)
+        destroy();
+    else if (kind < 45)
+        edit_body();
+    else if (kind < 60)
+        push_body();
+    else if (kind < 70)
+        edit_shape();
+    else if (kind < 76)
+        edit_world();
+    else if (kind < 82)
+        read();
+    else if (kind < 86)
+        must_refuse();
+    else if (kind < 87 && random_.one_in(10))
+        edit_during_step();
+    else
+        step();
 
     // Forget ids now and then, or the stale ones would crowd out the rest.
     if (bodies_.size() > 400) bodies_.erase(bodies_.begin(), bodies_.begin() + 200);

@@ -57,9 +57,9 @@ private:
 struct Tally
 {
     int calls = 0;
-    int refused = 0;          ///< threw UsageError
-    int during_step = 0;      ///< of those, edits from inside a step
-    int quarantined = 0;      ///< bodies that steps reported
+    int refused = 0;     ///< threw UsageError
+    int during_step = 0; ///< of those, edits from inside a step
+    int quarantined = 0; ///< bodies that steps reported
     int most_bodies = 0;
 };
 
@@ -80,7 +80,7 @@ private:
     BodyDef body_def();
     ShapeDef shape_def();
     Field field();
-    BodyId body_id();   ///< now and then stale, null or of another world
+    BodyId body_id(); ///< now and then stale, null or of another world
     ShapeId shape_id();
     FieldId field_id();
 

@@ -1,0 +1,235 @@
+// The contact solver in four lanes, made of nothing but what math/lanes.hpp asks of a lane type, gives the bits of the scalar one.
+#include "solver/contact_solver_impl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <memory_resource>
+#include <random>
+
+namespace carom::detail
+{
+
+/// Four numbers, one after the other.
+struct FourLanes
+{
+    FourLanes() = default;
+    explicit FourLanes(float all) : f{all, all, all, all} {}
+
+    std::array<float, 4> f;
+};
+
+struct FourMask
+{
+    std::array<bool, 4> m;
+};
+
+template <>
+struct LaneTraits<FourLanes>
+{
+    static constexpr int width = 4;
+    using Mask = FourMask;
+};
+
+template <class Operation>
+FourLanes by_lane(const FourLanes& a, const FourLanes& b, Operation&& operation)
+{
+    FourLanes out;
+    for (std::size_t i = 0; i < 4; ++i) out.f[i] = operation(a.f[i], b.f[i]);
+    return out;
+}
+
+template <class Relation>
+FourMask compare(const FourLanes& a, const FourLanes& b, Relation&& relation)
+{
+    FourMask out;
+    for (std::size_t i = 0; i < 4; ++i) out.m[i] = relation(a.f[i], b.f[i]);
+    return out;
+}
+
+FourLanes operator+(const FourLanes& a, const FourLanes& b)
+{
+    return by_lane(a, b, [](float x, float y) { return x + y; });
+}
+FourLanes operator-(const FourLanes& a, const FourLanes& b)
+{
+    return by_lane(a, b, [](float x, float y) { return x - y; });
+}
+FourLanes operator*(const FourLanes& a, const FourLanes& b)
+{
+    return by_lane(a, b, [](float x, float y) { return x * y; });
+}
+FourLanes operator-(const FourLanes& a)
+{
+    return by_lane(a, a, [](float x, float) { return -x; });
+}
+FourMask operator>(const FourLanes& a, const FourLanes& b)
+{
+    return compare(a, b, [](float x, float y) { return x > y; });
+}
+FourMask operator<(const FourLanes& a, const FourLanes& b)
+{
+    return compare(a, b, [](float x, float y) { return x < y; });
+}
+FourMask operator&(const FourMask& a, const FourMask& b)
+{
+    FourMask out;
+    for (std::size_t i = 0; i < 4; ++i) out.m[i] = a.m[i] && b.m[i];
+    return out;
+}
+
+FourLanes select(const FourMask& mask, const FourLanes& yes, const FourLanes& no)
+{
+    FourLanes out;
+    for (std::size_t i = 0; i < 4; ++i) out.f[i] = mask.m[i] ? yes.f[i] : no.f[i];
+    return out;
+}
+FourLanes lane_max(const FourLanes& a, const FourLanes& b)
+{
+    return by_lane(a, b, [](float x, float y) { return lane_max(x, y); });
+}
+FourLanes lane_min(const FourLanes& a, const FourLanes& b)
+{
+    return by_lane(a, b, [](float x, float y) { return lane_min(x, y); });
+}
+float& lane(FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
+float lane(const FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
+
+template class ContactSolver<FourLanes>;
+
+namespace
+{
+
+/// Bodies of every type and random contacts between them; one body has more contacts than there are colours.
+struct RandomPile
+{
+    explicit RandomPile(unsigned seed) : engine(seed)
+    {
+        for (int i = 0; i < body_count; ++i)
+        {
+            const BodyType type = i % 7 == 5 ? BodyType::Kinematic : i % 7 == 6 ? BodyType::Static : BodyType::Dynamic;
+            const bool moves = type != BodyType::Static;
+            bodies.create({.type = type,
+                           .linear_velocity = moves ? Vec2{from(-3, 3), i % 2 == 0 ? -0.0f : from(-3, 3)} : Vec2{},
+                           .angular_velocity = moves ? from(-2, 2) : 0.0f,
+                           .locks = {.x = i % 11 == 3, .y = i % 13 == 4, .rotation = i % 5 == 1}});
+        }
+        for (BodyMass& mass : bodies.masses)
+            if (mass.inv_mass != Vec2{}) mass.inv_inertia = from(0, 3);
+        for (std::uint32_t i = 1; i < body_count; ++i) connect(0, i);
+        for (int i = 0; i < 200; ++i)
+        {
+            const std::uint32_t a = static_cast<std::uint32_t>(engine() % body_count);
+            const std::uint32_t b = static_cast<std::uint32_t>(engine() % body_count);
+            if (a != b && (bodies.is_dynamic(a) || bodies.is_dynamic(b))) connect(a, b);
+        }
+    }
+
+    float from(float min, float max) { return std::uniform_real_distribution<float>(min, max)(engine); }
+
+    void connect(std::uint32_t a, std::uint32_t b)
+    {
+        Contact pair = {.body_a = a, .body_b = b, .friction = from(0, 1), .restitution = engine() % 2 ? from(0, 1) : 0.0f};
+        pair.rolling_resistance = from(0, 0.1f);
+        pair.tangent_speed = from(-1, 1);
+        const std::uint32_t slot = contacts.create(pair, bodies);
+        ContactManifold& manifold = contacts.manifolds[slot];
+        manifold.count = engine() % 2 ? 1 : 2;
+        const Rot q = rotation(from(-3, 3));
+        manifold.normal = {q.c, q.s};
+        manifold.rolling_impulse = from(-0.1f, 0.1f);
+        manifold.carried_impulse = from(0, 1);
+        for (ContactPointState& point : manifold.points)
+        {
+            point.r_a = {from(-1, 1), from(-1, 1)};
+            point.r_b = {from(-1, 1), from(-1, 1)};
+            point.separation = from(-0.1f, 0.05f);
+            point.normal_impulse = from(0, 1);
+            point.tangent_impulse = from(-0.3f, 0.3f);
+        }
+        colors.add(slot, contacts, bodies);
+    }
+
+    static constexpr int body_count = 60;
+    std::mt19937 engine;
+    BodyStore bodies{*std::pmr::new_delete_resource()};
+    ContactStore contacts{*std::pmr::new_delete_resource()};
+    ContactColors colors{*std::pmr::new_delete_resource()};
+};
+
+template <class F>
+void run(RandomPile& pile)
+{
+    ContactSolver<F> solver(*std::pmr::new_delete_resource());
+    const ContactConstants constants = make_contact_constants({}, 1 / 60.0f, 1 / 240.0f, 1 / 480.0f);
+    solver.build(pile.colors, pile.bodies, pile.contacts, constants);
+    std::span<BodyMotion> motions = pile.bodies.motions;
+    for (int substep = 0; substep < 3; ++substep)
+    {
+        solver.warm_start(motions);
+        solver.solve(motions);
+        for (BodyMotion& motion : motions)
+        {
+            motion.dp += constants.h * motion.v;
+            motion.dq = normalize(Rot{1, constants.h * motion.w} * motion.dq);
+        }
+        solver.relax(motions);
+    }
+    solver.bounce(motions);
+    solver.store_impulses(pile.contacts);
+}
+
+bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+
+void expect_same_bits(const RandomPile& one, const RandomPile& four)
+{
+    for (std::size_t i = 0; i < one.bodies.motions.size(); ++i)
+        ASSERT_EQ(std::memcmp(&one.bodies.motions[i], &four.bodies.motions[i], sizeof(BodyMotion)), 0) << "motion " << i;
+    for (std::uint32_t slot = 0; slot < one.contacts.slots.size(); ++slot)
+    {
+        const ContactManifold& a = one.contacts.manifolds[slot];
+        const ContactManifold& b = four.contacts.manifolds[slot];
+        ASSERT_TRUE(same_bits(a.total_rolling, b.total_rolling) && same_bits(a.carried_impulse, b.carried_impulse)) << slot;
+        for (std::size_t p = 0; p < static_cast<std::size_t>(a.count); ++p)
+        {
+            ASSERT_TRUE(same_bits(a.points[p].normal_impulse, b.points[p].normal_impulse)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].tangent_impulse, b.points[p].tangent_impulse)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].total_normal, b.points[p].total_normal)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].normal_velocity, b.points[p].normal_velocity)) << slot;
+        }
+    }
+}
+
+TEST(ContactLanes, FourLanesGiveTheBitsOfOne)
+{
+    for (unsigned seed = 0; seed < 30; ++seed)
+    {
+        RandomPile one(seed);
+        RandomPile four(seed);
+        ASSERT_FALSE(one.colors.contacts_of(overflow_color).empty());
+        run<float>(one);
+        run<FourLanes>(four);
+        expect_same_bits(one, four);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(ContactLanes, WhatNothingPushesIsNotWritten)
+{
+    RandomPile pile(1);
+    const RandomPile before(1);
+    run<FourLanes>(pile);
+    for (std::uint32_t body = 0; body < RandomPile::body_count; ++body)
+    {
+        if (pile.bodies.is_dynamic(body)) continue;
+        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).x, before.bodies.velocity(body).x));
+        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).y, before.bodies.velocity(body).y));
+        ASSERT_TRUE(same_bits(pile.bodies.spin(body), before.bodies.spin(body)));
+    }
+    EXPECT_EQ(pile.bodies.motions[0].v, Vec2{});
+}
+
+} // namespace
+} // namespace carom::detail

@@ -1,0 +1,130 @@
+// Where a world's bytes come from, that they all return, and that a warm step asks for none.
+#include "memory/counting_resource.hpp"
+
+#include <carom/carom.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory_resource>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace carom
+{
+
+namespace
+{
+
+constexpr float dt = 1 / 60.0f;
+
+/// While it lives, whoever asks the default resource for memory gets std::bad_alloc.
+class NoDefaultResource
+{
+public:
+    NoDefaultResource() : before_(std::pmr::set_default_resource(std::pmr::null_memory_resource())) {}
+    ~NoDefaultResource() { std::pmr::set_default_resource(before_); }
+    NoDefaultResource(const NoDefaultResource&) = delete;
+    NoDefaultResource& operator=(const NoDefaultResource&) = delete;
+
+private:
+    std::pmr::memory_resource* before_;
+};
+
+void fill(World& world)
+{
+    world.create_body({.type = BodyType::Static, .position = {0, -1}, .name = "a name that is too long for a short string"}, box(60, 2));
+    world.create_body({.type = BodyType::Static, .position = {0, 2}}, box(5, 4), {.is_sensor = true, .persist_events = true});
+    world.create_body({.type = BodyType::Kinematic, .position = {8, 3}, .angular_velocity = 1}, box(6, 0.4f));
+    world.add_field(PointField{.center = {0, 5}, .strength = 1, .softening = 1});
+    world.add_field(NBodyField{.gravitational_constant = 1e-3f, .softening = 0.1f});
+    for (int i = 0; i < 150; ++i)
+    {
+        const BodyDef def = {.position = {0.8f * static_cast<float>(i % 15) - 6, 0.5f + 0.8f * static_cast<float>(i / 15)}};
+        world.create_body(def, i % 2 == 0 ? Geometry{box(0.7f, 0.7f)} : Geometry{circle(0.35f)}, {.persist_events = i % 3 == 0});
+    }
+}
+
+class MemoryTest : public testing::TestWithParam<BroadPhaseType>
+{
+};
+
+/// QuadtreeNaive is left out: its sets allocate nodes, by design.
+class WarmMemoryTest : public testing::TestWithParam<BroadPhaseType>
+{
+};
+
+} // namespace
+
+TEST_P(MemoryTest, EveryByteComesFromTheResourceAndReturnsToIt)
+{
+    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    {
+        const NoDefaultResource guard;
+        World world({.broad_phase = GetParam(), .capacity = {.bodies = 10, .shapes = 10, .contacts = 10}, .memory = &memory});
+        fill(world);
+        for (int i = 0; i < 60; ++i)
+        {
+            const StepReport report = world.step(dt);
+            // The world's own head comes from the resource too, and is not in the report.
+            ASSERT_LE(report.bytes, memory.bytes());
+            ASSERT_GE(report.peak_bytes, report.bytes);
+            if (i == 30) world.destroy_body(world.bodies()[40]);
+            if (i == 40) world.set_broad_phase(BroadPhaseType::Quadtree);
+        }
+        World moved = std::move(world);
+        moved.step(dt);
+    }
+    EXPECT_EQ(memory.bytes(), 0u);
+}
+
+TEST_P(WarmMemoryTest, AWarmPileAllocatesNothing)
+{
+    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    World world({.broad_phase = GetParam(), .memory = &memory});
+    fill(world);
+    for (int i = 0; i < 400; ++i) world.step(dt);
+    const std::size_t before = memory.allocations();
+    for (int i = 0; i < 300; ++i) EXPECT_EQ(world.step(dt).allocations, 0u) << i;
+    EXPECT_EQ(memory.allocations(), before);
+}
+
+TEST_P(WarmMemoryTest, AConstantPopulationHardlyEverAllocates)
+{
+    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    World world({.broad_phase = GetParam(), .memory = &memory});
+    fill(world);
+    std::size_t late = 0;
+    for (int i = 0; i < 1800; ++i)
+    {
+        const std::vector<BodyId> bodies = world.bodies();
+        world.destroy_body(bodies[3 + static_cast<std::size_t>(i * 7 % 150)]);
+        world.create_body({.position = {static_cast<float>(i % 11) - 5, 9}}, circle(0.3f));
+        const std::size_t before = memory.allocations();
+        world.step(dt);
+        if (i >= 1200) late += memory.allocations() - before;
+    }
+    // One comes and one goes at every step, so that the number of contacts and the fill of each colour go on setting records now and then.
+    EXPECT_LE(late, 4u) << "in 10 s, after 20 s";
+}
+
+INSTANTIATE_TEST_SUITE_P(BroadPhases, MemoryTest,
+                         testing::Values(BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree,
+                                         BroadPhaseType::Tree),
+                         [](const auto& type) { return std::string(name_of(type.param)); });
+
+INSTANTIATE_TEST_SUITE_P(BroadPhases, WarmMemoryTest,
+                         testing::Values(BroadPhaseType::BruteForce, BroadPhaseType::Quadtree, BroadPhaseType::Tree),
+                         [](const auto& type) { return std::string(name_of(type.param)); });
+
+TEST(Memory, CapacityHintsSpareGrowing)
+{
+    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    World world({.capacity = {.bodies = 200, .shapes = 200, .contacts = 2000}, .memory = &memory});
+    const std::size_t before = memory.allocations();
+    for (int i = 0; i < 200; ++i) world.create_body({.position = {static_cast<float>(2 * i), 0}});
+    EXPECT_EQ(memory.allocations(), before) << "bodies alone grow nothing";
+}
+
+} // namespace carom

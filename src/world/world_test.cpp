@@ -1,0 +1,198 @@
+// Worlds as a whole: looking things up, several of them, moving them.
+#include <carom/carom.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace carom
+{
+
+namespace
+{
+
+void drop_boxes(World& world, int count)
+{
+    world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(50, 2));
+    for (int i = 0; i < count; ++i)
+        world.create_body({.position = {0.1f * static_cast<float>(i % 3), 1 + 1.1f * static_cast<float>(i)}}, box(1, 1));
+    for (int i = 0; i < 100; ++i) world.step(1 / 60.0f);
+}
+
+} // namespace
+
+TEST(World, FindsWhatLivesAndNothingElse)
+{
+    World world;
+    const BodyId body = world.create_body({.user_data = 4}, circle(1), {.user_data = 5});
+    const ShapeId shape = world.body(body).shapes()[0];
+    ASSERT_TRUE(world.find_body(body));
+    EXPECT_EQ(world.find_body(body)->user_data(), 4u);
+    ASSERT_TRUE(std::as_const(world).find_shape(shape));
+    EXPECT_EQ(std::as_const(world).find_shape(shape)->user_data(), 5u);
+
+    EXPECT_FALSE(world.find_body({}));
+    EXPECT_FALSE(world.find_shape({}));
+    EXPECT_FALSE(world.find_body({.index = 1000, .generation = 1, .world = body.world}));
+    EXPECT_FALSE(world.find_body({.index = body.index, .generation = 0, .world = body.world}));
+    EXPECT_FALSE(world.find_body({.index = body.index, .generation = body.generation + 1, .world = body.world}));
+
+    world.destroy_body(body);
+    EXPECT_FALSE(world.find_body(body));
+    EXPECT_FALSE(world.find_shape(shape)) << "its shapes go with it";
+    EXPECT_FALSE(std::as_const(world).find_body(body));
+    const BodyId next = world.create_body({});
+    EXPECT_EQ(next.index, body.index);
+    EXPECT_FALSE(world.find_body(body));
+    EXPECT_THROW(world.body(body), UsageError);
+    EXPECT_THROW(world.destroy_body(body), UsageError);
+    EXPECT_THROW(world.destroy_shape(shape), UsageError);
+}
+
+TEST(World, ListsBodiesByIndexAndShapesInTheOrderOfAdding)
+{
+    World world;
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 4; ++i) bodies.push_back(world.create_body({}));
+    world.destroy_body(bodies[1]);
+    bodies.erase(bodies.begin() + 1);
+    EXPECT_EQ(world.bodies(), bodies);
+    EXPECT_EQ(world.body_count(), 3);
+
+    std::vector<ShapeId> shapes;
+    for (int i = 0; i < 4; ++i) shapes.push_back(world.create_shape(bodies[0], circle(1)));
+    world.destroy_shape(shapes[1]);
+    shapes.erase(shapes.begin() + 1);
+    shapes.push_back(world.create_shape(bodies[0], circle(1))); // takes the place of the second, and comes last
+    EXPECT_EQ(world.body(bodies[0]).shapes(), shapes);
+    EXPECT_EQ(world.shape_count(), 4);
+    EXPECT_EQ(world.body(bodies[0]).shape_count(), 4u);
+}
+
+TEST(World, AnIdOfOneWorldIsNotTakenForAnothers)
+{
+    World first;
+    World second;
+    const BodyId body = first.create_body({}, circle(1));
+    second.create_body({}, circle(1));
+    EXPECT_FALSE(second.find_body(body));
+    EXPECT_FALSE(second.find_shape(first.body(body).shapes()[0]));
+    EXPECT_THROW(second.body(body), UsageError);
+    EXPECT_THROW(second.destroy_body(body), UsageError);
+    EXPECT_THROW(second.manifold(first.body(body).shapes()[0], first.body(body).shapes()[0]), UsageError);
+    const FieldId field = first.add_field(UniformField{{1, 0}});
+    second.add_field(UniformField{{1, 0}});
+    EXPECT_THROW(second.remove_field(field), UsageError);
+}
+
+TEST(World, OneWorldDoesNotShowInAnother)
+{
+    World alone;
+    drop_boxes(alone, 10);
+    World crowd;
+    drop_boxes(crowd, 30);
+    World again;
+    drop_boxes(again, 10);
+    EXPECT_EQ(again.hash(), alone.hash());
+}
+
+TEST(World, AMovedWorldGoesOnAndItsViewsWithIt)
+{
+    World expected;
+    drop_boxes(expected, 5);
+    for (int i = 0; i < 20; ++i) expected.step(1 / 60.0f);
+
+    World first;
+    drop_boxes(first, 5);
+    const BodyId id = first.bodies()[2];
+    const Body body = first.body(id);
+    World second = std::move(first);
+    second.step(1 / 60.0f);
+    World third;
+    third.create_body({}); // given back by the assignment
+    third = std::move(second);
+    for (int i = 0; i < 19; ++i) third.step(1 / 60.0f);
+    EXPECT_EQ(third.hash(), expected.hash());
+    EXPECT_EQ(body.position(), third.body(id).position());
+}
+
+TEST(World, AMovedFromWorldRefusesAndMayBeGivenAnother)
+{
+    World first;
+    const BodyId id = first.create_body({});
+    World second = std::move(first);
+    // NOLINTBEGIN(bugprone-use-after-move): this is what the test is about
+    EXPECT_THROW(first.step(1 / 60.0f), UsageError);
+    EXPECT_THROW(first.create_body({}), UsageError);
+    EXPECT_THROW(first.find_body(id), UsageError);
+    EXPECT_THROW(first.events(), UsageError);
+    EXPECT_THROW(first.hash(), UsageError);
+    EXPECT_THROW(first.gravity(), UsageError);
+    // NOLINTEND(bugprone-use-after-move)
+    first = std::move(second);
+    EXPECT_TRUE(first.find_body(id));
+}
+
+TEST(World, SurvivesBeingMovedToItself)
+{
+    World world;
+    const BodyId id = world.create_body({});
+    World& same = world;
+    world = std::move(same);
+    EXPECT_TRUE(world.find_body(id));
+}
+
+TEST(World, WorldsMadeOnSeveralThreadsHaveNumbersOfTheirOwn)
+{
+    std::vector<std::vector<std::uint32_t>> numbers(4);
+    std::vector<std::uint64_t> hashes(4);
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t t = 0; t < 4; ++t)
+            threads.emplace_back([&, t]
+            {
+                for (int i = 0; i < 50; ++i) numbers[t].push_back(World().create_body({}).world);
+                World world;
+                drop_boxes(world, 8);
+                hashes[t] = world.hash();
+            });
+    }
+    std::set<std::uint32_t> all;
+    for (const auto& list : numbers) all.insert(list.begin(), list.end());
+    EXPECT_EQ(all.size(), 200u);
+    EXPECT_FALSE(all.contains(0));
+    for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+TEST(World, RefusesAStepThatIsTooShortTooLongOrNoNumber)
+{
+    World world;
+    for (const float dt : {-1.0f, 1e-7f, 1.5f, std::numeric_limits<float>::quiet_NaN()}) EXPECT_THROW(world.step(dt), UsageError) << dt;
+    for (const int substeps : {-1, 0, 65}) EXPECT_THROW(world.step(0.01f, substeps), UsageError) << substeps;
+    EXPECT_EQ(world.step_count(), 0u);
+    world.step(1e-6f, 64);
+    world.step(1, 1);
+    EXPECT_EQ(world.step_count(), 2u);
+}
+
+TEST(World, WarmStartSurvivesAChangeOfTheStepsLength)
+{
+    World world;
+    world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(50, 2));
+    std::vector<BodyId> tower;
+    for (int i = 0; i < 6; ++i) tower.push_back(world.create_body({.position = {0, 0.5f + static_cast<float>(i)}}, box(1, 1)));
+    for (int i = 0; i < 120; ++i) world.step(1 / 60.0f);
+    const float top = world.body(tower.back()).position().y;
+    for (int i = 0; i < 200; ++i)
+    {
+        world.step(i % 2 == 0 ? 1 / 30.0f : 1 / 120.0f, i % 3 == 0 ? 2 : 8);
+        ASSERT_NEAR(world.body(tower.back()).position().y, top, 0.01f) << i;
+        ASSERT_LT(length(world.body(tower.back()).linear_velocity()), 0.2f) << i;
+    }
+}
+
+} // namespace carom
