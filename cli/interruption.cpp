@@ -25,7 +25,7 @@ void note_interruptions()
         if (action.sa_handler == SIG_IGN) continue;
         action = {};
         action.sa_handler = note;
-        action.sa_flags = SA_RESETHAND | SA_RESTART;
+        action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
         ::sigaction(signal, &action, nullptr);
     }
 }
