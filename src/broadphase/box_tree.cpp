@@ -148,6 +148,7 @@ void BoxTree::rebuild()
     young_count_ = 0;
     removed_count_ = 0;
     degraded_count_ = 0;
+    std::fill(touched_.begin(), touched_.end(), std::uint64_t{0}); // what they name is gone, also when nothing follows
     if (waiting_.empty()) return;
     add_node(none, false);
     build_part(0);
