@@ -8,6 +8,7 @@
 #include <carom/events.hpp>
 #include <carom/fields.hpp>
 #include <carom/ids.hpp>
+#include <carom/joint.hpp>
 #include <carom/math.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>

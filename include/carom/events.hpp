@@ -61,6 +61,17 @@ struct SensorEvent
     ShapeId visitor;
 };
 
+/// A joint that pulled harder than it may. It is gone: the id is stale.
+struct JointBreak
+{
+    JointId joint;
+    BodyId body_a; ///< null when it was the world
+    BodyId body_b;
+    float force = 0;             ///< in the step that broke it [N]
+    float torque = 0;            ///< [N m]
+    std::uint64_t user_data = 0; ///< the joint's
+};
+
 /// The events of the last step, each list ordered by the ids' indices, so that equal runs give equal lists. Ends that come from
 /// destroying, disabling or editing between two steps are in the lists of the later step. Valid until the world's next step.
 struct Events
@@ -71,6 +82,9 @@ struct Events
     std::span<const SensorEvent> sensor_begin;
     std::span<const SensorEvent> sensor_persist;
     std::span<const SensorEvent> sensor_end;
+    std::span<const JointBreak> joint_break;
+    std::span<const BodyId> fell_asleep; ///< bodies that came to rest
+    std::span<const BodyId> woke;        ///< bodies that were woken since the step before
 };
 
 } // namespace carom

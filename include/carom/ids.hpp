@@ -23,5 +23,6 @@ struct Id
 using BodyId = Id<struct BodyTag>;
 using ShapeId = Id<struct ShapeTag>;
 using FieldId = Id<struct FieldTag>;
+using JointId = Id<struct JointTag>;
 
 } // namespace carom

@@ -7,6 +7,7 @@
 #include <carom/error.hpp>
 #include <carom/events.hpp>
 #include <carom/fields.hpp>
+#include <carom/joint.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
 
@@ -20,13 +21,15 @@
 namespace carom
 {
 
-/// Constants of the contact solver. The defaults suit bodies of 0.1 m to 10 m.
+/// Constants of the solver. The defaults suit bodies of 0.1 m to 10 m.
 struct SolverTuning
 {
     float contact_hertz = 30;         ///< stiffness of contacts, also limited to an eighth of the substep rate [1/s], >= 0.01
     float contact_damping_ratio = 10; ///< >= 0
     float push_out_speed = 3;         ///< most speed at which overlap is undone [m/s], >= 0.0001
     float restitution_threshold = 1;  ///< slower approaches do not bounce [m/s], >= 0
+    float joint_hertz = 60;           ///< how fast joints undo their errors, also limited to a quarter of the substep rate [1/s], >= 0.01
+    float joint_damping_ratio = 2;    ///< >= 0
 
     friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
 };
@@ -81,6 +84,21 @@ public:
     std::optional<ShapeView> find_shape(ShapeId id) const;
     std::vector<BodyId> bodies() const; ///< ordered by index
 
+    // Joints.
+    /// @throws UsageError when a body is stale, both are the same, or a value is out of range
+    JointId create_joint(const JointDef& def, const JointSpec& spec);
+    void destroy_joint(JointId id);
+    /// A definition whose frames meet at a point of the world, with their x axes along `axis` [rad].
+    JointDef joint_at(BodyId a, BodyId b, Vec2 point, float axis = 0) const;
+    /// A definition whose frames lie at two points of the world, with their x axes from the first to the second.
+    JointDef joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) const;
+    Joint joint(JointId id); ///< throws UsageError on a stale id
+    JointView joint(JointId id) const;
+    std::optional<Joint> find_joint(JointId id); ///< empty on a stale or null id
+    std::optional<JointView> find_joint(JointId id) const;
+    std::vector<JointId> joints() const; ///< ordered by index
+    std::vector<JointId> joints_of(BodyId body) const;
+
     // Gravity.
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
@@ -112,6 +130,7 @@ public:
 
     int body_count() const;
     int shape_count() const;
+    int joint_count() const;
     /// Number of steps taken.
     std::uint64_t step_count() const;
     /// A hash of the whole state. Equal runs give equal hashes at every step, whatever the broad phase, compiler or build type.

@@ -33,6 +33,8 @@ struct BodyMass
     float inv_inertia = 0; ///< [1/(kg m^2)]
 };
 
+inline bool can_be_pushed(const BodyMass& mass) { return mass.inv_mass != Vec2{} || mass.inv_inertia != 0; }
+
 /// What accelerates and brakes an active body, by motion index.
 struct BodyDrive
 {
@@ -73,7 +75,9 @@ struct BodyRecord
     std::uint32_t last_shape = null_index;
     std::uint32_t shape_count = 0;
     std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
+    std::uint32_t first_joint = null_index;   ///< joint edge, see JointStore
     std::uint32_t color_mask = 0;             ///< solver colours in use by this body's contacts
+    std::uint32_t joint_color_mask = 0;       ///< and by its joints
     std::uint64_t user_data = 0;
     std::pmr::string name;
 };

@@ -8,23 +8,41 @@
 namespace carom::detail
 {
 
-PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, ProxyPair pair)
+namespace
+{
+
+/// Whether a joint keeps two bodies from touching each other.
+bool are_held_apart(const BodyStore& bodies, const JointStore& joints, std::uint32_t a, std::uint32_t b)
+{
+    if (bodies.records[b].first_joint == null_index) return false;
+    for (std::uint32_t edge = bodies.records[a].first_joint; edge != null_index; edge = joints.joints[edge / 2].next[edge % 2])
+    {
+        const Joint& joint = joints.joints[edge / 2];
+        if (!joint.collide_connected && (edge % 2 == 0 ? joint.body_b : joint.body_a) == b) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, ProxyPair pair)
 {
     const ShapeRecord& a = shapes.records[pair.a];
     const ShapeRecord& b = shapes.records[pair.b];
     if (a.body == b.body || !should_collide(a.filter, b.filter)) return {};
     if (a.is_sensor || b.is_sensor) return {.makes_contact = a.sensor_events && b.sensor_events, .is_sensor = true};
-    return {.makes_contact = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body), .is_sensor = false};
+    const bool can_push = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
+    return {.makes_contact = can_push && !are_held_apart(bodies, joints, a.body, b.body), .is_sensor = false};
 }
 
-void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, ContactStore& contacts, PairSet& known,
-                std::pmr::vector<ProxyPair>& found)
+void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
+                PairSet& known, std::pmr::vector<ProxyPair>& found)
 {
     found.clear();
     if (shapes.moved.empty()) return;
     broad_phase.find_pairs(shapes.moved, found);
 
-    const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, pair).makes_contact || known.contains(pair); };
+    const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, joints, pair).makes_contact || known.contains(pair); };
     found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());
     std::sort(found.begin(), found.end());
 
@@ -33,7 +51,7 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
     {
         Contact contact = {
             .shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
-        contact.is_sensor = judge_pair(shapes, bodies, pair).is_sensor;
+        contact.is_sensor = judge_pair(shapes, bodies, joints, pair).is_sensor;
         mix_materials(contact, shapes);
         contacts.create(contact, bodies);
         known.insert(pair);

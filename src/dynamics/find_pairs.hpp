@@ -5,6 +5,7 @@
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
+#include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
 
 #include <memory_resource>
@@ -20,13 +21,13 @@ struct PairVerdict
     bool is_sensor = false;
 };
 
-/// Decides by bodies, types, flags and filters; everything about two shapes but where they are.
-PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, ProxyPair pair);
+/// Decides by bodies, types, flags, filters and joints; everything about two shapes but where they are.
+PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, ProxyPair pair);
 
 /// Finds the pairs of the shapes that moved and makes contacts of the new ones, ordered by shape, so that the broad phase does not show.
 /// @param known pairs that are contacts already; grows by the new ones
 /// @param found scratch
-void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, ContactStore& contacts, PairSet& known,
-                std::pmr::vector<ProxyPair>& found);
+void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
+                PairSet& known, std::pmr::vector<ProxyPair>& found);
 
 } // namespace carom::detail

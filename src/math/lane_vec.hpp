@@ -60,6 +60,11 @@ LaneVec<F> cross(const F& w, const LaneVec<F>& a)
     return {-w * a.y, w * a.x};
 }
 template <class F>
+LaneVec<F> left_perp(const LaneVec<F>& a)
+{
+    return {-a.y, a.x};
+}
+template <class F>
 LaneVec<F> right_perp(const LaneVec<F>& a)
 {
     return {a.y, -a.x};

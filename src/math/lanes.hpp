@@ -2,6 +2,8 @@
 // A kernel uses only arithmetic operators, comparisons, and what stands here, so that it reads the same for every width.
 #pragma once
 
+#include <carom/math.hpp>
+
 #include <cmath>
 
 namespace carom::detail
@@ -26,6 +28,7 @@ inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
 inline float lane_max(float a, float b) { return a > b ? a : b; }
 inline float lane_min(float a, float b) { return a < b ? a : b; }
 inline float lane_sqrt(float a) { return std::sqrt(a); }
+inline float lane_atan2(float y, float x) { return carom::atan2(y, x); }
 
 /// One lane of a number, for gather and scatter.
 inline float& lane(float& f, int) { return f; }

@@ -208,7 +208,7 @@ TEST(ContactLanes, FourLanesGiveTheBitsOfOne)
     {
         RandomPile one(seed);
         RandomPile four(seed);
-        ASSERT_FALSE(one.colors.contacts_of(overflow_color).empty());
+        ASSERT_FALSE(one.colors.list(overflow_color).empty());
         run<float>(one);
         run<FourLanes>(four);
         expect_same_bits(one, four);

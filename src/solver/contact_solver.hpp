@@ -3,8 +3,8 @@
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
-#include "solver/contact_colors.hpp"
 #include "solver/contact_row.hpp"
+#include "solver/graph_colors.hpp"
 #include "solver/softness.hpp"
 
 #include <cstdint>

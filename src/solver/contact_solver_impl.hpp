@@ -34,8 +34,6 @@ void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPo
     lane(out.lambda_t, i) = warm_scale * point.tangent_impulse;
 }
 
-inline bool can_be_pushed(const BodyMass& mass) { return mass.inv_mass != Vec2{} || mass.inv_inertia != 0; }
-
 /// Writes a contact into lane `i` of a row.
 template <class F, int N>
 void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
@@ -135,8 +133,8 @@ void ContactSolver<F>::build(const ContactColors& colors, const BodyStore& bodie
     carry_share_ = constants.carry_share;
     pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold)};
 
-    build_color(colors.contacts_of(overflow_color), 1, bodies, contacts, constants);
-    for (int color = 0; color < overflow_color; ++color) build_color(colors.contacts_of(color), lane_width<F>, bodies, contacts, constants);
+    build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
+    for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
 }
 
 template <class F>

@@ -31,6 +31,28 @@ inline Softness make_softness(float hertz, float damping_ratio, float h)
     return {.bias_rate = omega / damping, .mass_scale = a / (1 + a), .impulse_scale = 1 / (1 + a)};
 }
 
+/// A damped spring of a joint, over one substep. With x the deflection before the substep and v the velocity after:
+///   lambda = -m h (omega^2 (x + theta h v) + 2 zeta omega v)
+/// theta = 0 takes the force where the substep begins: an undamped spring then swings for ever, as it should, but too stiff a one blows up.
+/// theta = 1 takes it where the substep ends: stable at any stiffness, and it brakes. Springs are taken at the beginning up to
+/// omega h = 0.5 (19 Hz at 240 substeps a second), where that is safe, and then more and more at the end. Solved for lambda:
+///   change = -m (damping J v + push x) - impulse_scale lambda
+template <class F>
+struct SpringRow
+{
+    F damping;       ///< s / (1 + s), s = h (theta h omega^2 + 2 zeta omega)
+    F push;          ///< h omega^2 / (1 + s) [1/s]
+    F impulse_scale; ///< 1 / (1 + s)
+};
+
+inline SpringRow<float> make_spring(float hertz, float damping_ratio, float h)
+{
+    const float omega = 2 * pi * hertz;
+    const float theta = std::clamp(2 * omega * h - 1, 0.0f, 1.0f);
+    const float s = h * (theta * h * omega * omega + 2 * damping_ratio * omega);
+    return {.damping = s / (1 + s), .push = h * omega * omega / (1 + s), .impulse_scale = 1 / (1 + s)};
+}
+
 /// What the contact rows of a step share.
 struct ContactConstants
 {
@@ -66,6 +88,26 @@ inline ContactConstants make_contact_constants(const SolverTuning& tuning, float
             .warm_scale = h_before > 0 ? h / h_before : 0.0f,
             .between_dynamic = make_softness(hertz, tuning.contact_damping_ratio, h),
             .with_static = make_softness(2 * hertz, tuning.contact_damping_ratio, h)};
+}
+
+/// What the joint rows of a step share.
+struct JointStepConstants
+{
+    float h = 0;          ///< substep [s]
+    float inv_h = 0;      ///< [1/s]
+    float warm_scale = 1; ///< as for contacts
+    Softness rigid;       ///< of rows that hold something; those that are solved together read its bias_rate alone
+};
+
+/// @param h        substep [s]
+/// @param h_before substep of the last step [s]; 0 when there was none
+inline JointStepConstants make_joint_constants(const SolverTuning& tuning, float h, float h_before)
+{
+    const float hertz = std::min(tuning.joint_hertz, 0.25f / h);
+    return {.h = h,
+            .inv_h = 1 / h,
+            .warm_scale = h_before > 0 ? h / h_before : 0.0f,
+            .rigid = make_softness(hertz, tuning.joint_damping_ratio, h)};
 }
 
 } // namespace carom::detail

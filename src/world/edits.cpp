@@ -101,6 +101,7 @@ void destroy_shape(WorldState& world, std::uint32_t shape)
 
 void destroy_body(WorldState& world, std::uint32_t body)
 {
+    while (world.bodies.records[body].first_joint != null_index) destroy_joint(world, world.bodies.records[body].first_joint / 2);
     destroy_contacts_of_body(world, body);
     const bool has_proxies = world.bodies.records[body].is_enabled;
     for_each_shape(world, body, [&](std::uint32_t shape)
@@ -141,8 +142,10 @@ void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
 {
     if (world.bodies.records[body].type == type) return;
     destroy_contacts_of_body(world, body);
+    retire_joints_of_body(world, body);
     world.bodies.records[body].type = type;
     refresh_mass(world, body);
+    refresh_joints_of_body(world, body);
     if (world.bodies.records[body].is_enabled) for_each_shape(world, body, [&](std::uint32_t shape) { renew_proxy(world, shape); });
 }
 
@@ -152,6 +155,7 @@ void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
     destroy_contacts_of_body(world, body);
     world.bodies.records[body].is_enabled = is_enabled;
     world.bodies.refresh(body);
+    refresh_joints_of_body(world, body);
     for_each_shape(world, body, [&](std::uint32_t shape) { is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape); });
 }
 

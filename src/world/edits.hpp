@@ -37,6 +37,15 @@ void destroy_contact(WorldState& world, std::uint32_t contact);
 void destroy_contacts_of_body(WorldState& world, std::uint32_t body);
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape);
 
+std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSpec& spec);
+void destroy_joint(WorldState& world, std::uint32_t joint);
+/// Tells that a joint is about to go because it pulled too hard.
+void note_break(WorldState& world, std::uint32_t joint);
+void set_collide_connected(WorldState& world, std::uint32_t joint, bool collide_connected);
+/// Takes joints in or out of the solver, as their bodies ask.
+void refresh_joints_of_body(WorldState& world, std::uint32_t body);
+void retire_joints_of_body(WorldState& world, std::uint32_t body);
+
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type);
 void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled);
 void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform);

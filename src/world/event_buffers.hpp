@@ -23,7 +23,11 @@ struct EventBuffers
           sensor_persist(&memory),
           sensor_end(&memory),
           pending_contact_end(&memory),
-          pending_sensor_end(&memory)
+          pending_sensor_end(&memory),
+          joint_break(&memory),
+          fell_asleep(&memory),
+          woke(&memory),
+          pending_woke(&memory)
     {
     }
 
@@ -35,6 +39,10 @@ struct EventBuffers
     std::pmr::vector<SensorEvent> sensor_end;
     std::pmr::vector<ContactEnd> pending_contact_end;
     std::pmr::vector<SensorEvent> pending_sensor_end;
+    std::pmr::vector<JointBreak> joint_break;
+    std::pmr::vector<BodyId> fell_asleep;
+    std::pmr::vector<BodyId> woke;
+    std::pmr::vector<BodyId> pending_woke;
 };
 
 ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world);

@@ -114,6 +114,56 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
     }
 }
 
+void add(Hasher& hasher, const Transform& t) { hasher.add_all(t.p, t.q); }
+void add(Hasher& hasher, const std::optional<Range>& r)
+{
+    hasher.add(r.has_value());
+    if (r) hasher.add_all(r->lower, r->upper);
+}
+void add(Hasher& hasher, const Spring& s) { hasher.add_all(s.hertz, s.damping_ratio, s.target); }
+void add(Hasher& hasher, const std::optional<Spring>& s)
+{
+    hasher.add(s.has_value());
+    if (s) add(hasher, *s);
+}
+void add(Hasher& hasher, const std::optional<Motor>& m)
+{
+    hasher.add(m.has_value());
+    if (m) hasher.add_all(m->speed, m->max_force);
+}
+
+void add_spec(Hasher& hasher, const JointSpec& spec)
+{
+    hasher.add(static_cast<int>(spec.index()));
+    if (const auto* s = std::get_if<RevoluteJoint>(&spec)) add(hasher, s->limit), add(hasher, s->motor), add(hasher, s->spring);
+    if (const auto* s = std::get_if<PrismaticJoint>(&spec)) add(hasher, s->limit), add(hasher, s->motor), add(hasher, s->spring);
+    if (const auto* s = std::get_if<DistanceJoint>(&spec)) hasher.add(s->length), add(hasher, s->limit), add(hasher, s->spring);
+    if (const auto* s = std::get_if<WeldJoint>(&spec)) add(hasher, s->linear), add(hasher, s->angular);
+    if (const auto* s = std::get_if<WheelJoint>(&spec)) add(hasher, s->suspension), add(hasher, s->limit), add(hasher, s->motor);
+    if (const auto* s = std::get_if<MotorJoint>(&spec))
+        hasher.add_all(s->offset, s->angle, s->max_force, s->max_torque), add(hasher, s->spring);
+    if (const auto* s = std::get_if<MouseJoint>(&spec)) hasher.add_all(s->target, s->max_force), add(hasher, s->spring);
+    if (const auto* s = std::get_if<GearJoint>(&spec))
+        hasher.add_all(s->ratio, static_cast<int>(s->motion_a), static_cast<int>(s->motion_b));
+    if (const auto* s = std::get_if<PulleyJoint>(&spec)) hasher.add_all(s->ground_a, s->ground_b, s->ratio, s->length);
+}
+
+void add_joints(Hasher& hasher, const detail::JointStore& joints)
+{
+    add_slots(hasher, joints.slots);
+    for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot)
+    {
+        if (!joints.slots.is_live(slot)) continue;
+        const detail::Joint& joint = joints.joints[slot];
+        hasher.add_all(joint.body_a, joint.body_b, joint.next[0], joint.next[1], joint.collide_connected, joint.break_force,
+                       joint.break_torque, int{joint.color}, joint.index_in_color, joint.angle, joint.gear_slip, joint.drive);
+        add(hasher, joint.frame_a), add(hasher, joint.frame_b);
+        add_spec(hasher, joint.spec);
+        for (const float impulse : joint.rigid) hasher.add(impulse);
+        for (const detail::ControlImpulses& c : joint.controls) hasher.add_all(c.spring, c.motor, c.lower, c.upper);
+    }
+}
+
 void add_fields(Hasher& hasher, const detail::FieldStore& fields)
 {
     add_slots(hasher, fields.slots);
@@ -138,10 +188,11 @@ std::uint64_t World::hash() const
     Hasher hasher;
     hasher.add_all(world.step_count, world.gravity, world.last_substep);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
-                   world.tuning.restitution_threshold);
+                   world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
     add_bodies(hasher, world.bodies);
     add_shapes(hasher, world.shapes);
     add_contacts(hasher, world.contacts);
+    add_joints(hasher, world.joints);
     add_fields(hasher, world.fields);
     return hasher.result();
 }

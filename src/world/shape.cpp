@@ -98,7 +98,7 @@ void Shape::set_filter(const Filter& filter)
     {
         const detail::Contact& contact = world_->contacts.contacts[slot];
         const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
-        if (!detail::judge_pair(world_->shapes, world_->bodies, pair).makes_contact) detail::destroy_contact(*world_, slot);
+        if (!detail::judge_pair(world_->shapes, world_->bodies, world_->joints, pair).makes_contact) detail::destroy_contact(*world_, slot);
     });
     if (world_->bodies.records[record.body].is_enabled) world_->shapes.mark_moved(shape);
 }

@@ -9,6 +9,9 @@
 #include "solver/softness.hpp"
 #include "world/edits.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace carom::detail
 {
 
@@ -34,14 +37,34 @@ void disable_not_finite(WorldState& world)
     world.not_finite.clear();
 }
 
+/// Those that pulled harder than they may are gone after the step.
+void break_joints(WorldState& world)
+{
+    world.broken_joints.clear();
+    for (int color = 0; color < color_count; ++color)
+        for (const std::uint32_t slot : world.joint_colors.list(color))
+        {
+            const Joint& joint = world.joints.joints[slot];
+            if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) world.broken_joints.push_back(slot);
+        }
+    std::sort(world.broken_joints.begin(), world.broken_joints.end());
+    for (const std::uint32_t slot : world.broken_joints)
+    {
+        note_break(world, slot);
+        destroy_joint(world, slot);
+    }
+}
+
 void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps)
 {
     const float h = dt / static_cast<float>(substeps);
     const ContactConstants constants = make_contact_constants(world.tuning, dt, h, world.last_substep);
     BodyStore& bodies = world.bodies;
     ContactSolver<float>& solver = world.solver;
+    JointSolver<float>& joints = world.joint_solver;
     {
         StageTimer timer(report, Stage::BuildRows);
+        joints.build(world.joint_colors, bodies, world.joints, make_joint_constants(world.tuning, h, world.last_substep));
         solver.build(world.colors, bodies, world.contacts, constants);
     }
     for (int i = 0; i < substeps; ++i)
@@ -53,10 +76,12 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
         }
         {
             StageTimer timer(report, Stage::WarmStart);
+            joints.warm_start(bodies.motions);
             solver.warm_start(bodies.motions);
         }
         {
             StageTimer timer(report, Stage::Solve);
+            joints.solve(bodies.motions);
             solver.solve(bodies.motions);
         }
         {
@@ -64,6 +89,7 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
             integrate_positions(bodies.motions, h);
         }
         StageTimer timer(report, Stage::Relax);
+        joints.relax(bodies.motions);
         solver.relax(bodies.motions);
     }
     {
@@ -73,6 +99,8 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
     {
         StageTimer timer(report, Stage::StoreImpulses);
         solver.store_impulses(world.contacts);
+        joints.store_impulses(bodies.motions, world.joints, 1 / dt);
+        break_joints(world);
     }
     {
         StageTimer timer(report, Stage::FinalizeBodies);
@@ -88,8 +116,8 @@ void count(const WorldState& world, std::size_t allocations_before, StepReport& 
     report.shapes = world.shapes.slots.live_count();
     report.pairs = world.contacts.slots.live_count();
     report.colors = world.colors.used_colors();
-    report.overflow_rows = static_cast<int>(world.colors.contacts_of(overflow_color).size());
-    for (int color = 0; color < color_count; ++color) report.rows += static_cast<int>(world.colors.contacts_of(color).size());
+    report.overflow_rows = static_cast<int>(world.colors.list(overflow_color).size());
+    for (int color = 0; color < color_count; ++color) report.rows += static_cast<int>(world.colors.list(color).size());
     report.bytes = world.memory.bytes();
     report.peak_bytes = world.memory.peak_bytes();
     report.allocations = world.memory.allocations() - allocations_before;
@@ -104,9 +132,10 @@ StepReport step(WorldState& world, float dt, int substeps)
     const auto start = StageTimer::Clock::now();
     const std::size_t allocations_before = world.memory.allocations();
     world.quarantined.clear();
+    world.events.joint_break.clear();
     {
         StageTimer timer(report, Stage::FindPairs);
-        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.contacts, world.pairs, world.found_pairs);
+        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.found_pairs);
     }
     {
         StageTimer timer(report, Stage::UpdateManifolds);

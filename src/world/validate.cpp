@@ -47,6 +47,11 @@ std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_vie
     return require_id(world.shapes.slots, id, world.world, function, "shape");
 }
 
+std::uint32_t require_joint(const WorldState& world, JointId id, std::string_view function)
+{
+    return require_id(world.joints.slots, id, world.world, function, "joint");
+}
+
 std::uint32_t require_field(const WorldState& world, FieldId id, std::string_view function)
 {
     return require_id(world.fields.slots, id, world.world, function, "field");
@@ -69,6 +74,8 @@ void validate(const SolverTuning& tuning, std::string_view function)
     require_range(function, "solver.contact_damping_ratio", tuning.contact_damping_ratio, 0, max_factor);
     require_range(function, "solver.push_out_speed", tuning.push_out_speed, 0.0001f, max_factor);
     require_range(function, "solver.restitution_threshold", tuning.restitution_threshold, 0, max_factor);
+    require_range(function, "solver.joint_hertz", tuning.joint_hertz, 0.01f, max_factor);
+    require_range(function, "solver.joint_damping_ratio", tuning.joint_damping_ratio, 0, max_factor);
 }
 
 void validate(BroadPhaseType type, const BroadPhaseOptions& options, std::string_view function)

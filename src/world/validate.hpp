@@ -18,6 +18,7 @@ inline constexpr float max_factor = 1e6f;
 void require_idle(const WorldState& world, std::string_view function); ///< not during step(), nor after one that was stopped
 std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function);
 std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_view function);
+std::uint32_t require_joint(const WorldState& world, JointId id, std::string_view function);
 std::uint32_t require_field(const WorldState& world, FieldId id, std::string_view function);
 
 void validate(const WorldDef& def, std::string_view function);
@@ -26,6 +27,12 @@ void validate(const ShapeDef& def, std::string_view function);
 void validate(const Material& material, std::string_view function);
 void validate(const Field& field, std::string_view function);
 void validate(const SolverTuning& tuning, std::string_view function);
+void validate(const WorldState& world, const JointDef& def, std::string_view function);
+void validate(const JointSpec& spec, std::string_view function);
+/// Whether a joint of this type can have the world as its body A.
+void validate_ends(const JointDef& def, const JointSpec& spec, std::string_view function);
+void validate_frame(const Transform& frame, std::string_view field, std::string_view function);
+void validate_break_limit(float limit, std::string_view field, std::string_view function);
 void validate(BroadPhaseType type, const BroadPhaseOptions& options, std::string_view function);
 void validate_position(Vec2 position, float angle, std::string_view function);
 void validate_type(BodyType type, std::string_view function);

@@ -237,8 +237,8 @@ StepReport World::step(float dt, int substeps)
 Events World::events() const
 {
     const detail::EventBuffers& events = state().events;
-    return {events.contact_begin, events.contact_persist, events.contact_end,
-            events.sensor_begin,  events.sensor_persist,  events.sensor_end};
+    return {events.contact_begin, events.contact_persist, events.contact_end, events.sensor_begin, events.sensor_persist,
+            events.sensor_end,    events.joint_break,     events.fell_asleep, events.woke};
 }
 
 Manifold World::manifold(ShapeId a, ShapeId b) const

@@ -28,15 +28,19 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       bodies(memory),
       shapes(memory),
       contacts(memory),
+      joints(memory),
       pairs(memory),
       broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory)),
       colors(memory),
+      joint_colors(memory),
       events(memory),
       quarantined(&memory),
       found_pairs(&memory),
       not_finite(&memory),
       changes(memory),
       solver(memory),
+      joint_solver(memory),
+      broken_joints(&memory),
       field_forces(memory)
 {
     bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));

@@ -5,12 +5,14 @@
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
+#include "dynamics/joint_store.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "dynamics/shape_store.hpp"
 #include "fields/field_store.hpp"
 #include "memory/counting_resource.hpp"
-#include "solver/contact_colors.hpp"
 #include "solver/contact_solver.hpp"
+#include "solver/graph_colors.hpp"
+#include "solver/joint_solver.hpp"
 #include "world/event_buffers.hpp"
 
 #include <carom/world.hpp>
@@ -44,9 +46,11 @@ struct WorldState
     BodyStore bodies;
     ShapeStore shapes;
     ContactStore contacts;
+    JointStore joints;
     PairSet pairs; ///< of the contacts
     BroadPhasePtr broad_phase;
     ContactColors colors;
+    JointColors joint_colors;
 
     // What a step leaves behind.
     EventBuffers events;
@@ -59,6 +63,8 @@ struct WorldState
     std::pmr::vector<std::uint32_t> not_finite;
     ContactChanges changes;
     ContactSolver<float> solver;
+    JointSolver<float> joint_solver;
+    std::pmr::vector<std::uint32_t> broken_joints;
     FieldForces field_forces;
 };
 

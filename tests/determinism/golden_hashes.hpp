@@ -16,12 +16,12 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0x9259e249020ee02b},
-    SceneHash{"triggers", 0xc1eec1acd98d5096},
-    SceneHash{"collisions", 0xba70d041257301bb},
-    SceneHash{"gravity", 0xb46176862dff5c7e},
+    SceneHash{"planets", 0x280fd70436ef2dec},
+    SceneHash{"triggers", 0xb73c363253cd4a89},
+    SceneHash{"collisions", 0xc445f83f94e9fca3},
+    SceneHash{"gravity", 0xc45ddd19111a7e02},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x29ff5b8cbabf0f5e;
+inline constexpr std::uint64_t mixed_world = 0x671f9b48bb039ebd;
 
 } // namespace carom::golden

@@ -1,5 +1,5 @@
 // The colours of a live world: they need piles that are really stepped, so the test stands here and not beside the colours.
-#include "solver/contact_colors.hpp"
+#include "solver/graph_colors.hpp"
 
 #include "world/edits.hpp"
 #include "world/step.hpp"
@@ -24,7 +24,7 @@ void expect_valid_colors(const WorldState& world)
     for (int color = 0; color < color_count; ++color)
     {
         std::set<std::uint32_t> used;
-        const std::span<const std::uint32_t> list = world.colors.contacts_of(color);
+        const std::span<const std::uint32_t> list = world.colors.list(color);
         for (std::size_t i = 0; i < list.size(); ++i)
         {
             const Contact& contact = world.contacts.contacts[list[i]];
@@ -118,7 +118,7 @@ TEST(ContactColors, WhatFindsNoColourOverflowsAndIsSolvedAllTheSame)
     destroy_body(world, hub);
     expect_valid_colors(world);
     EXPECT_EQ(world.colors.used_colors(), 0);
-    EXPECT_TRUE(world.colors.contacts_of(overflow_color).empty());
+    EXPECT_TRUE(world.colors.list(overflow_color).empty());
 }
 
 TEST(ContactColors, ContactsWithTheGroundComeLast)
@@ -128,8 +128,8 @@ TEST(ContactColors, ContactsWithTheGroundComeLast)
     add_body(world, {.position = {0, 0.5f}}, box(1, 1));
     add_body(world, {.position = {0, 1.5f}}, box(1, 1));
     step(world, 1 / 60.0f, 4);
-    EXPECT_EQ(world.colors.contacts_of(0).size(), 1u) << "box on box";
-    EXPECT_EQ(world.colors.contacts_of(overflow_color - 1).size(), 1u) << "box on ground";
+    EXPECT_EQ(world.colors.list(0).size(), 1u) << "box on box";
+    EXPECT_EQ(world.colors.list(overflow_color - 1).size(), 1u) << "box on ground";
 }
 
 } // namespace

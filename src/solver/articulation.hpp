@@ -1,0 +1,119 @@
+// Solves the rigid rows of all joints together, exactly: what makes a long chain hold a heavy load.
+//
+// Row by row, an impulse travels one joint a pass: a chain of 100 links under 100 times a link's weight needs thousands of passes. Together
+// the rows are one linear system A lambda = -rhs, A = J M^-1 J^T, that is nearly empty: two joints are coupled when they share a body that
+// can move. Block by block elimination (L D L^T) costs a chain or a tree no more than a few passes.
+//
+// Eliminating a joint couples all joints on its two bodies, as if the bodies had become one. So the plan only merges bodies and keeps for
+// each merged one the list of joints that are left on it: its `front` is what the next elimination there will couple. Joints are taken by rising
+// size of their fronts. One whose front is too large (a wide net) is left to be solved by itself, and counts no more.
+#pragma once
+
+#include "solver/joint_row.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// What the system needs to know of a joint.
+struct ArticulatedJoint
+{
+    std::uint32_t body_a = 0; ///< motion index; 0 where the body can't be pushed
+    std::uint32_t body_b = 0;
+    int count = 0; ///< rigid rows, 0 to 3
+    std::array<Jacobian<float>, max_rigid_rows> j;
+    Vec2 inv_mass_a;
+    Vec2 inv_mass_b;
+    float inv_inertia_a = 0;
+    float inv_inertia_b = 0;
+    std::array<double, max_rigid_rows> rhs = {}; ///< in: the velocities to bring about; out: the impulses that do it
+    bool is_in = false;                          ///< planned; else it is solved by itself
+};
+
+class Articulation
+{
+public:
+    explicit Articulation(std::pmr::memory_resource& memory);
+
+    /// The joints of this step; bodies, counts and Jacobians are for the caller to fill in.
+    std::pmr::vector<ArticulatedJoint> joints;
+
+    /// Decides who is in and in which order, unless nothing has changed since the last time.
+    void plan();
+    /// Builds and eliminates A from the Jacobians.
+    void factor();
+    /// Solves for all `rhs` in place.
+    void solve();
+
+private:
+    using Block = std::array<double, max_rigid_rows * max_rigid_rows>; ///< row by row
+
+    /// An elimination: the joint, and where its front stands in `front_` and `blocks_`.
+    struct Column
+    {
+        std::uint32_t joint;
+        std::uint32_t front_begin;
+        std::uint32_t front_end;
+        std::uint32_t targets_begin; ///< in targets_: for each pair of the front the block that it changes
+    };
+
+    /// Two joints of one body: the block of A that couples them.
+    struct Coupling
+    {
+        std::uint32_t row_joint; ///< eliminated later
+        std::uint32_t column_joint;
+        bool row_is_b; ///< whether the body is B of that joint
+        bool column_is_b;
+        std::uint32_t block;
+    };
+
+    /// What the plan was made for.
+    struct Signature
+    {
+        std::uint32_t body_a;
+        std::uint32_t body_b;
+        int count;
+        friend bool operator==(const Signature&, const Signature&) = default;
+    };
+
+    bool is_planned() const;
+    void start_lists();
+    std::uint32_t root_of(std::uint32_t body);
+    void gather_front(std::uint32_t joint);
+    void eliminate(std::uint32_t joint);
+    void leave_out(std::uint32_t joint);
+    void order_all();
+    void finish_columns();
+    void find_couplings();
+    std::uint32_t block_of(std::uint32_t row_joint, std::uint32_t column_joint) const;
+
+    std::pmr::vector<Signature> signature_;
+    std::pmr::vector<Column> columns_;
+    std::pmr::vector<std::uint32_t> front_;   ///< joints, each column's by rising place
+    std::pmr::vector<std::uint32_t> targets_; ///< blocks
+    std::pmr::vector<Coupling> couplings_;
+    std::pmr::vector<std::uint32_t> place_;                         ///< by joint: its column
+    std::pmr::vector<Block> diagonal_;                              ///< by column; its inverse after factor()
+    std::pmr::vector<std::array<double, max_rigid_rows>> original_; ///< by column: the diagonal before any elimination
+    std::pmr::vector<Block> blocks_;                                ///< beside front_: A, then A D^-1
+
+    // Scratch of a plan.
+    std::pmr::vector<std::uint32_t> parent_; ///< by body: merged into
+    std::pmr::vector<std::uint32_t> first_;  ///< by body: first edge 2 joint + side, or null_index
+    std::pmr::vector<std::uint32_t> last_;
+    std::pmr::vector<std::uint32_t> count_; ///< by body: joints left
+    std::pmr::vector<std::uint32_t> next_;  ///< by edge
+    std::pmr::vector<std::uint32_t> mark_;  ///< by joint: the last front that it was gathered into
+    std::pmr::vector<std::uint32_t> gathered_;
+    std::pmr::vector<std::uint64_t> heap_; ///< front size and joint
+    std::pmr::vector<bool> is_left_;       ///< by joint: not yet eliminated
+    std::pmr::vector<bool> was_in_;        ///< by joint: what the plan decided
+    std::uint32_t stamp_ = 0;
+};
+
+} // namespace carom::detail

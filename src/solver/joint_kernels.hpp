@@ -1,0 +1,289 @@
+// What a joint of each type holds: its Jacobians, errors and coordinates, and how they bend over a substep. Once for every lane width.
+//
+//      A  .---r_a---o . . . d . . . o---r_b---.  B        r_a, r_b: from the centres of mass to the origins of the frames
+//                   frame A      frame B                  d: from the one origin to the other
+//
+// The rate of d at fixed positions is  d' = v_b + w_b x r_b - v_a - w_a x r_a. Seen from frame A, along a unit vector u that turns with A:
+//   q = u . d,   q' = u . (v_b - v_a) + (r_b x u) w_b - ((d + r_a) x u) w_a
+#pragma once
+
+#include "solver/joint_row.hpp"
+
+namespace carom::detail
+{
+
+/// Where a joint's bodies have come to since the start of the step.
+template <class F>
+struct JointPlace
+{
+    LaneVec<F> r_a;
+    LaneVec<F> r_b;
+    LaneVec<F> d;
+};
+
+template <class F>
+JointPlace<F> place_of(const JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    JointPlace<F> p;
+    p.r_a = rotate(a.dq, row.arm_a);
+    p.r_b = rotate(b.dq, row.arm_b);
+    p.d = row.apart + (b.dp - a.dp) + (p.r_b - row.arm_b) - (p.r_a - row.arm_a);
+    return p;
+}
+
+/// Rate of d along a direction that does not turn.
+template <class F>
+Jacobian<F> along_fixed(const LaneVec<F>& u, const JointPlace<F>& p)
+{
+    return {u, u, cross(p.r_a, u), cross(p.r_b, u)};
+}
+
+/// Rate of d along a direction that turns with A.
+template <class F>
+Jacobian<F> along_turning(const LaneVec<F>& u, const JointPlace<F>& p)
+{
+    return {u, u, cross(p.d + p.r_a, u), cross(p.r_b, u)};
+}
+
+/// Rate of the angle of B seen from A.
+template <class F>
+Jacobian<F> turning()
+{
+    return {{F(0), F(0)}, {F(0), F(0)}, F(1), F(1)};
+}
+
+/// Angle of frame B in frame A.
+template <class F>
+F turn_of(const JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const F c = a.dq.c * b.dq.c + a.dq.s * b.dq.s;
+    const F s = a.dq.c * b.dq.s - a.dq.s * b.dq.c;
+    return row.turn + lane_atan2(s, c);
+}
+
+/// What an arm's tip moves beyond w x r over a substep, as a rate: (R(h w) r - r) / h - w x r. For fast spins it is that of a quarter radian:
+/// beyond, one substep no longer tells where the arm goes, and a whip would crack.
+template <class F>
+LaneVec<F> bend(const LaneVec<F>& r, F w, const JointConstants<F>& k)
+{
+    const F most = F(0.25f);
+    const F x = lane_max(-most, lane_min(k.h * w, most));
+    const F x2 = x * x;
+    const F cos_less_1 = x2 * (F(-1 / 2.0f) + x2 * F(1 / 24.0f));
+    const F sin_less_x = x * x2 * (F(-1 / 6.0f) + x2 * F(1 / 120.0f));
+    return (r * cos_less_1 + cross(sin_less_x, r)) * k.inv_h;
+}
+
+/// Rates of d: at fixed positions, and what its arms add by bending.
+template <class F>
+struct JointRates
+{
+    LaneVec<F> d;
+    LaneVec<F> bend_d;
+};
+
+template <class F>
+JointRates<F> rates_of(const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
+{
+    return {(b.v + cross(b.w, p.r_b)) - (a.v + cross(a.w, p.r_a)), bend(p.r_b, b.w, k) - bend(p.r_a, a.w, k)};
+}
+
+/// Curvature of u . d where u turns with A.
+template <class F>
+F bend_along_turning(const LaneVec<F>& u, const JointPlace<F>& p, const JointRates<F>& r, F w_a, const JointConstants<F>& k)
+{
+    const LaneVec<F> way = (r.d + r.bend_d) * k.h;
+    return dot(bend(u, w_a, k), p.d + way) + dot(cross(w_a, u), way) + dot(u, r.bend_d);
+}
+
+/// Curvature of |d|: what moves across d makes it longer. The way is cut at a quarter of the length, where the arc is no longer told by one
+/// substep.
+template <class F>
+F bend_of_length(const LaneVec<F>& d, const JointRates<F>& r, const JointConstants<F>& k)
+{
+    const F length = lane_sqrt(dot(d, d));
+    LaneVec<F> way = (r.d + r.bend_d) * k.h;
+    const F size = lane_sqrt(dot(way, way));
+    const F cut = lane_min(F(1), F(0.25f) * length / lane_max(size, F(1e-20f)));
+    way = way * cut;
+    const LaneVec<F> end = d + way;
+    const F gain = (F(2) * dot(d, way) + dot(way, way)) * inverse_or_zero(lane_sqrt(dot(end, end)) + length);
+    return (gain - dot(d, r.d) * k.h * cut * inverse_or_zero(length)) * k.inv_h;
+}
+
+template <class F>
+void set_control(const JointRow<F>& row, ControlRow<F>& c, const Jacobian<F>& j, F q)
+{
+    c.j = j;
+    c.q = q;
+    c.mass = inverse_or_zero(coupling(row, j, j));
+}
+
+/// Unit vector along d, or along the axis when d has no direction.
+template <class F>
+LaneVec<F> direction_of(const LaneVec<F>& d, F length, const LaneVec<F>& otherwise)
+{
+    const auto is_long = length > F(1e-9f);
+    const F inv = F(1) / lane_max(length, F(1e-9f));
+    return {select(is_long, d.x * inv, otherwise.x), select(is_long, d.y * inv, otherwise.y)};
+}
+
+/// Revolute: C = d. Its coordinate is the angle.
+template <class F>
+void linearise_revolute(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    row.rigid[0] = along_fixed<F>({F(1), F(0)}, p);
+    row.rigid[1] = along_fixed<F>({F(0), F(1)}, p);
+    row.error[0] = p.d.x;
+    row.error[1] = p.d.y;
+    set_control(row, row.controls[0], turning<F>(), turn_of(row, a, b));
+}
+
+/// Prismatic: C = (n . d, angle) with n across the axis t of A. Its coordinate is t . d.
+template <class F>
+void linearise_prismatic(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const LaneVec<F> t = rotate(a.dq, row.axis);
+    const LaneVec<F> n = left_perp(t);
+    row.rigid[0] = along_turning(n, p);
+    row.rigid[1] = turning<F>();
+    row.error[0] = dot(n, p.d);
+    row.error[1] = turn_of(row, a, b);
+    set_control(row, row.controls[0], along_turning(t, p), dot(t, p.d));
+}
+
+/// Wheel: C = n . d. Its coordinates are t . d and the angle.
+template <class F>
+void linearise_wheel(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const LaneVec<F> t = rotate(a.dq, row.axis);
+    const LaneVec<F> n = left_perp(t);
+    row.rigid[0] = along_turning(n, p);
+    row.error[0] = dot(n, p.d);
+    set_control(row, row.controls[0], along_turning(t, p), dot(t, p.d));
+    set_control(row, row.controls[1], turning<F>(), turn_of(row, a, b));
+}
+
+/// Distance: q = |d|, held at the length when it is a rod.
+template <class F>
+void linearise_distance(JointRow<F>& row, const JointPlace<F>& p)
+{
+    const F length = lane_sqrt(dot(p.d, p.d));
+    const Jacobian<F> j = along_fixed(direction_of(p.d, length, row.axis), p);
+    row.rigid[0] = j;
+    row.error[0] = length - row.length;
+    set_control(row, row.controls[0], j, length);
+}
+
+/// Weld: C = (d, angle), each part rigid or soft.
+template <class F>
+void linearise_weld(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    std::size_t next = 0;
+    if (!row.has_drive)
+    {
+        row.rigid[0] = along_fixed<F>({F(1), F(0)}, p);
+        row.rigid[1] = along_fixed<F>({F(0), F(1)}, p);
+        row.error[0] = p.d.x;
+        row.error[1] = p.d.y;
+        next = 2;
+    }
+    row.drive.error = p.d;
+    const F angle = turn_of(row, a, b);
+    if (row.control_count > 0) return set_control(row, row.controls[0], turning<F>(), angle);
+    row.rigid[next] = turning<F>();
+    row.error[next] = angle;
+}
+
+/// Motor: the drive pulls frame B to its place in frame A, the spring of its angle to the angle there.
+template <class F>
+void linearise_motor(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    row.drive.error = p.d - rotate(a.dq, row.place_a);
+    set_control(row, row.controls[0], turning<F>(), turn_of(row, a, b));
+}
+
+/// Gear: C = q_a + ratio q_b, where q is a turn or a slide along an axis that turns with its own body.
+template <class F>
+void linearise_gear(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const LaneVec<F> t_a = rotate(a.dq, row.place_a);
+    const LaneVec<F> t_b = rotate(b.dq, row.place_b);
+    row.rigid[0] = {{F(0) - t_a.x, F(0) - t_a.y}, t_b * row.ratio, F(0) - row.turns_a, row.ratio * row.turns_b};
+    const F q_a = row.turns_a * lane_atan2(a.dq.s, a.dq.c) + dot(row.place_a, a.dp);
+    const F q_b = row.turns_b * lane_atan2(b.dq.s, b.dq.c) + dot(row.place_b, b.dp);
+    row.error[0] = row.slip + q_a + row.ratio * q_b;
+}
+
+/// Pulley: q = |a's point to its ground| + ratio |b's|, limited from above. An impulse that shortens pulls both up.
+template <class F>
+void linearise_pulley(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const LaneVec<F> rope_a = row.place_a - a.dp - (p.r_a - row.arm_a);
+    const LaneVec<F> rope_b = row.place_b - b.dp - (p.r_b - row.arm_b);
+    const F length_a = lane_sqrt(dot(rope_a, rope_a));
+    const F length_b = lane_sqrt(dot(rope_b, rope_b));
+    const LaneVec<F> u_a = direction_of<F>(rope_a, length_a, {F(0), F(0)});
+    const LaneVec<F> u_b = direction_of<F>(rope_b, length_b, {F(0), F(0)}) * (F(0) - row.ratio);
+    const Jacobian<F> j = {u_a, u_b, cross(p.r_a, u_a), cross(p.r_b, u_b)};
+    set_control(row, row.controls[0], j, length_a + row.ratio * length_b);
+}
+
+/// Jacobians, errors and coordinates where the bodies are now.
+template <class F>
+void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const JointPlace<F> p = place_of(row, a, b);
+    row.r_b = p.r_b;
+    switch (row.type)
+    {
+    case JointType::Revolute: return linearise_revolute(row, p, a, b);
+    case JointType::Prismatic: return linearise_prismatic(row, p, a, b);
+    case JointType::Distance: return linearise_distance(row, p);
+    case JointType::Weld: return linearise_weld(row, p, a, b);
+    case JointType::Wheel: return linearise_wheel(row, p, a, b);
+    case JointType::Motor: return linearise_motor(row, p, a, b);
+    case JointType::Mouse: row.drive.error = p.d; return;
+    case JointType::Gear: return linearise_gear(row, a, b);
+    case JointType::Pulley: return linearise_pulley(row, p, a, b);
+    }
+}
+
+/// Curvatures at the velocities that the bodies have now.
+template <class F>
+void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
+{
+    const JointPlace<F> p = place_of(row, a, b);
+    const JointRates<F> r = rates_of(p, a, b, k);
+    switch (row.type)
+    {
+    case JointType::Revolute:
+    case JointType::Weld:
+        row.curvature = {r.bend_d.x, r.bend_d.y, F(0)};
+        if (row.type == JointType::Weld && row.has_drive) row.curvature = {F(0), F(0), F(0)};
+        return;
+    case JointType::Prismatic:
+    case JointType::Wheel:
+    {
+        const LaneVec<F> t = rotate(a.dq, row.axis);
+        row.curvature = {bend_along_turning(left_perp(t), p, r, a.w, k), F(0), F(0)};
+        row.controls[0].curvature = bend_along_turning(t, p, r, a.w, k);
+        return;
+    }
+    case JointType::Distance: row.curvature[0] = row.controls[0].curvature = bend_of_length(p.d, r, k); return;
+    case JointType::Pulley:
+    {
+        const JointRates<F> rates_a = {LaneVec<F>{} - (a.v + cross(a.w, p.r_a)), LaneVec<F>{} - bend(p.r_a, a.w, k)};
+        const JointRates<F> rates_b = {LaneVec<F>{} - (b.v + cross(b.w, p.r_b)), LaneVec<F>{} - bend(p.r_b, b.w, k)};
+        const LaneVec<F> rope_a = row.place_a - a.dp - (p.r_a - row.arm_a);
+        const LaneVec<F> rope_b = row.place_b - b.dp - (p.r_b - row.arm_b);
+        row.controls[0].curvature = bend_of_length(rope_a, rates_a, k) + row.ratio * bend_of_length(rope_b, rates_b, k);
+        return;
+    }
+    case JointType::Motor:
+    case JointType::Mouse:
+    case JointType::Gear: return;
+    }
+}
+
+} // namespace carom::detail

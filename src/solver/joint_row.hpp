@@ -1,0 +1,321 @@
+// The joint row: what every joint is made of, written once for every lane width. What a joint of a type holds is in joint_kernels.hpp.
+//
+// A joint has up to three rigid rows C_i = 0 and up to two coordinates q_i (an angle, a way, a length), each with a spring, a motor and a
+// range of its own; one that pulls to a place has a drive besides. A row's Jacobian J gives the rate of C or q at fixed positions:
+//   J v = l_b . v_b + s_b w_b - l_a . v_a - s_a w_a          an impulse lambda pushes B by lambda l_b and turns it by lambda s_b
+//
+// Bodies move on arcs, so over a substep h the error changes by more than h J v. What is missing is the row's `curvature`:
+//   (C(x + h v) - C(x)) / h = J v + curvature
+// With it, the biased pass puts the error at the end of the substep to zero and the relaxing pass makes the velocity fit the place that was
+// reached: two half-steps that mirror each other. A pendulum then keeps its energy, where J v = 0 alone would brake it by w^2 h a second.
+// @source H. C. Andersen, "Rattle", 1983 (position and velocity constraints); E. Catto, "Solver2D", 2024 (soft steps with relaxation)
+#pragma once
+
+#include "dynamics/joint_store.hpp"
+#include "math/lane_vec.hpp"
+#include "solver/body_lanes.hpp"
+#include "solver/softness.hpp"
+
+#include <array>
+
+namespace carom::detail
+{
+
+template <class F>
+struct Jacobian
+{
+    LaneVec<F> l_a;
+    LaneVec<F> l_b;
+    F s_a;
+    F s_b;
+};
+
+/// A coordinate and what acts on it. Parts that a joint does not have are zero and do nothing.
+template <class F>
+struct ControlRow
+{
+    Jacobian<F> j;
+    F q;         ///< where it is
+    F curvature; ///< see above
+    F mass;      ///< 1 / (J M^-1 J^T)
+    F lower;
+    F upper;
+    F lambda_lower;
+    F lambda_upper;
+    F target; ///< of the spring
+    SpringRow<F> spring;
+    F max_spring; ///< [N s] in a substep
+    F lambda_spring;
+    F motor_speed;
+    F max_motor; ///< [N s] in a substep
+    F lambda_motor;
+};
+
+/// A soft pull of a point to a place, of limited size.
+template <class F>
+struct DriveRow
+{
+    LaneVec<F> error; ///< where B's point is past its place [m]
+    SpringRow<F> spring;
+    F max_lambda; ///< [N s] in a substep
+    LaneVec<F> lambda;
+};
+
+/// A joint in each lane, all of one type.
+template <class F>
+struct JointRow
+{
+    JointType type = JointType::Revolute;
+    int rigid_count = 0;
+    int control_count = 0;
+    bool has_drive = false;
+    bool any_alone = false; ///< whether any lane's rigid rows are solved by themselves, not together with other joints' (articulation.hpp)
+
+    BodyIndices<F> body_a;
+    BodyIndices<F> body_b;
+    BodyIndices<F> pushed_a; ///< body_a where its velocity can change, else 0
+    BodyIndices<F> pushed_b;
+    LaneVec<F> inv_mass_a;
+    LaneVec<F> inv_mass_b;
+    F inv_inertia_a;
+    F inv_inertia_b;
+    F alone; ///< 1 in such a lane, else 0
+
+    // At the start of the step.
+    LaneVec<F> arm_a; ///< from A's centre of mass to the origin of frame A [m]
+    LaneVec<F> arm_b; ///< from B's to that of frame B [m]
+    LaneVec<F> apart; ///< from the origin of frame A to that of frame B [m]
+    LaneVec<F> axis;  ///< x axis of frame A
+    LaneVec<F>
+        place_a; ///< motor joint: the offset, turned into the world; pulley: from A's point to its ground point; gear: the slide axis of A
+    LaneVec<F> place_b; ///< pulley and gear: the same of B
+    F turn;             ///< angle of frame B in frame A [rad]
+    F length;           ///< distance joint [m]
+    F ratio;            ///< gear and pulley
+    F slip;             ///< gear: q_a + ratio q_b
+    F turns_a;          ///< gear: 1 where the motion of A is its turn, 0 where it is a slide
+    F turns_b;
+
+    // As of the last linearisation.
+    LaneVec<F> r_b; ///< arm of the point about which force and torque are told
+    std::array<Jacobian<F>, max_rigid_rows> rigid;
+    std::array<F, max_rigid_rows> error;
+    std::array<F, max_rigid_rows> curvature;
+    std::array<ControlRow<F>, max_controls> controls;
+    DriveRow<F> drive;
+
+    std::array<F, max_rigid_rows> lambda;           ///< of this substep
+    LaneVec<F> total_impulse;                       ///< on B over the step so far
+    F total_twist;                                  ///< about the origin of frame B
+    std::array<std::uint32_t, lane_width<F>> joint; ///< where the lane's results go back to
+};
+
+/// What the kernels of a pass share.
+template <class F>
+struct JointConstants
+{
+    F h;
+    F inv_h;
+    F bias_rate;     ///< at which rigid rows undo their error [1/s]
+    F mass_scale;    ///< of rigid rows that are solved one by one
+    F impulse_scale; ///< of the same
+};
+
+template <class F>
+F velocity(const Jacobian<F>& j, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    return dot(j.l_b, b.v) + j.s_b * b.w - dot(j.l_a, a.v) - j.s_a * a.w;
+}
+
+template <class F>
+void apply(const JointRow<F>& row, const Jacobian<F>& j, F lambda, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    a.v = a.v - scale(row.inv_mass_a, j.l_a * lambda);
+    a.w = a.w - row.inv_inertia_a * (j.s_a * lambda);
+    b.v = b.v + scale(row.inv_mass_b, j.l_b * lambda);
+    b.w = b.w + row.inv_inertia_b * (j.s_b * lambda);
+}
+
+/// J_i M^-1 J_k^T: how much an impulse along row k changes the velocity of row i.
+template <class F>
+F coupling(const JointRow<F>& row, const Jacobian<F>& i, const Jacobian<F>& k)
+{
+    return dot(i.l_a, scale(row.inv_mass_a, k.l_a)) + row.inv_inertia_a * (i.s_a * k.s_a) + dot(i.l_b, scale(row.inv_mass_b, k.l_b)) +
+           row.inv_inertia_b * (i.s_b * k.s_b);
+}
+
+template <class F>
+F inverse_or_zero(F k)
+{
+    return select(k > F(0), F(1) / lane_max(k, F(1e-30f)), F(0));
+}
+
+template <class F>
+void apply_drive(const JointRow<F>& row, const LaneVec<F>& r_a, const LaneVec<F>& impulse, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    a.v = a.v - scale(row.inv_mass_a, impulse);
+    a.w = a.w - row.inv_inertia_a * cross(r_a, impulse);
+    b.v = b.v + scale(row.inv_mass_b, impulse);
+    b.w = b.w + row.inv_inertia_b * cross(row.r_b, impulse);
+}
+
+/// From A's centre of mass to where B's point is: what A is pulled at.
+template <class F>
+LaneVec<F> reach_of_a(const JointRow<F>& row, const BodyLanes<F>& a)
+{
+    return rotate(a.dq, row.arm_a) + row.drive.error;
+}
+
+/// Applies the impulses of the substep before.
+template <class F>
+void warm_start(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) apply(row, row.rigid[i], row.lambda[i], a, b);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    {
+        const ControlRow<F>& c = row.controls[i];
+        apply(row, c.j, c.lambda_spring + c.lambda_motor + c.lambda_lower - c.lambda_upper, a, b);
+    }
+    if (row.has_drive) apply_drive(row, reach_of_a(row, a), row.drive.lambda, a, b);
+}
+
+/// A damped spring: see SpringRow. Solved in the biased pass alone: the relaxing pass takes back pushes against errors, and a spring's force is
+/// none of those.
+template <class F>
+void solve_spring(const JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const F pull = c.mass * (c.spring.damping * velocity(c.j, a, b) + c.spring.push * (c.q - c.target));
+    const F wanted = c.lambda_spring - pull - c.spring.impulse_scale * c.lambda_spring;
+    const F next = lane_max(-c.max_spring, lane_min(wanted, c.max_spring));
+    apply(row, c.j, next - c.lambda_spring, a, b);
+    c.lambda_spring = next;
+}
+
+/// |lambda| <= max, against the velocity that is missing.
+template <class F>
+void solve_motor(const JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const F wanted = c.lambda_motor - c.mass * (velocity(c.j, a, b) - c.motor_speed);
+    const F next = lane_max(-c.max_motor, lane_min(wanted, c.max_motor));
+    const F change = next - c.lambda_motor;
+    c.lambda_motor = next;
+    apply(row, c.j, change, a, b);
+}
+
+/// What a row that may only push has to undo: C / h while it is apart, so that it stops at its end and not before; beyond, a share of the
+/// error, in the biased pass.
+template <bool WithBias, class F>
+F limit_bias(F c, const JointConstants<F>& k)
+{
+    const F beyond = WithBias ? k.bias_rate * c : F(0);
+    return select(c > F(0), c * k.inv_h, beyond);
+}
+
+/// lower <= q <= upper, each end with lambda >= 0, complementary.
+template <bool WithBias, class F>
+void solve_range(const JointRow<F>& row, ControlRow<F>& c, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const F curvature = WithBias ? c.curvature : F(0);
+    const F up = velocity(c.j, a, b) + curvature + limit_bias<WithBias>(c.q - c.lower, k);
+    const F next_lower = lane_max(c.lambda_lower - c.mass * up, F(0));
+    apply(row, c.j, next_lower - c.lambda_lower, a, b);
+    c.lambda_lower = next_lower;
+
+    const F down = -velocity(c.j, a, b) - curvature + limit_bias<WithBias>(c.upper - c.q, k);
+    const F next_upper = lane_max(c.lambda_upper - c.mass * down, F(0));
+    apply(row, c.j, c.lambda_upper - next_upper, a, b);
+    c.lambda_upper = next_upper;
+}
+
+/// A spring in the plane, of limited size, at B's point.
+template <class F>
+void solve_drive(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    DriveRow<F>& d = row.drive;
+    const LaneVec<F> r_a = reach_of_a(row, a);
+    const LaneVec<F> dv = (b.v + cross(b.w, row.r_b)) - (a.v + cross(a.w, r_a));
+    const LaneVec<F> wanted = dv * d.spring.damping + d.error * d.spring.push;
+    const F xx = row.inv_mass_a.x + row.inv_mass_b.x + row.inv_inertia_a * r_a.y * r_a.y + row.inv_inertia_b * row.r_b.y * row.r_b.y;
+    const F yy = row.inv_mass_a.y + row.inv_mass_b.y + row.inv_inertia_a * r_a.x * r_a.x + row.inv_inertia_b * row.r_b.x * row.r_b.x;
+    const F xy = -row.inv_inertia_a * r_a.x * r_a.y - row.inv_inertia_b * row.r_b.x * row.r_b.y;
+    const F inv_det = inverse_or_zero(xx * yy - xy * xy);
+    const LaneVec<F> push = {(yy * wanted.x - xy * wanted.y) * inv_det, (xx * wanted.y - xy * wanted.x) * inv_det};
+    LaneVec<F> next = d.lambda - push - d.lambda * d.spring.impulse_scale;
+    const F size = lane_sqrt(dot(next, next));
+    next = next * select(size > d.max_lambda, d.max_lambda / lane_max(size, F(1e-30f)), F(1));
+    apply_drive(row, r_a, next - d.lambda, a, b);
+    d.lambda = next;
+}
+
+/// The joint's rigid rows together, as one small linear system K change = -rhs, by elimination in their order.
+template <bool WithBias, class F>
+void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    const auto count = static_cast<std::size_t>(row.rigid_count);
+    std::array<std::array<F, max_rigid_rows>, max_rigid_rows> m;
+    std::array<F, max_rigid_rows> x;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        x[i] = -velocity(row.rigid[i], a, b);
+        if constexpr (WithBias) x[i] = x[i] - row.curvature[i] - k.bias_rate * row.error[i];
+        for (std::size_t j = 0; j < count; ++j) m[i][j] = coupling(row, row.rigid[i], row.rigid[j]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const F inv = inverse_or_zero(m[i][i]);
+        for (std::size_t j = i + 1; j < count; ++j)
+        {
+            const F f = m[j][i] * inv;
+            for (std::size_t l = i; l < count; ++l) m[j][l] = m[j][l] - f * m[i][l];
+            x[j] = x[j] - f * x[i];
+        }
+    }
+    for (std::size_t i = count; i-- > 0;)
+    {
+        for (std::size_t l = i + 1; l < count; ++l) x[i] = x[i] - m[i][l] * x[l];
+        x[i] = x[i] * inverse_or_zero(m[i][i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        F change = x[i];
+        if constexpr (WithBias) change = k.mass_scale * change - k.impulse_scale * row.lambda[i];
+        change = change * row.alone;
+        row.lambda[i] = row.lambda[i] + change;
+        apply(row, row.rigid[i], change, a, b);
+    }
+}
+
+/// One pass over a joint: what is soft first, what is rigid last. Rigid rows that are solved together with others' come after all joints.
+template <bool WithBias, class F>
+void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    if (WithBias && row.has_drive) solve_drive(row, a, b);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    {
+        ControlRow<F>& c = row.controls[i];
+        if constexpr (WithBias) solve_spring(row, c, a, b);
+        solve_motor(row, c, a, b);
+        solve_range<WithBias>(row, c, k, a, b);
+    }
+    if (row.any_alone) solve_rigid<WithBias>(row, k, a, b);
+}
+
+/// Adds what the substep gave to the sums over the step.
+template <class F>
+void sum_up(JointRow<F>& row)
+{
+    const auto add = [&](const Jacobian<F>& j, F lambda)
+    {
+        row.total_impulse = row.total_impulse + j.l_b * lambda;
+        row.total_twist = row.total_twist + lambda * (j.s_b - cross(row.r_b, j.l_b));
+    };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) add(row.rigid[i], row.lambda[i]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    {
+        const ControlRow<F>& c = row.controls[i];
+        add(c.j, c.lambda_spring + c.lambda_motor + c.lambda_lower - c.lambda_upper);
+    }
+    if (row.has_drive) row.total_impulse = row.total_impulse + row.drive.lambda;
+}
+
+} // namespace carom::detail

@@ -1,0 +1,240 @@
+// Between joints and their rows: fills a joint into a lane of a row, and takes the results out again.
+#pragma once
+
+#include "solver/joint_kernels.hpp"
+
+#include <variant>
+
+namespace carom::detail
+{
+
+/// How many rows of which kind a joint has. Lanes of one row agree in it.
+struct JointShape
+{
+    int rigid = 0;
+    int controls = 0;
+    bool has_drive = false;
+
+    std::size_t key() const
+    {
+        return 1 + static_cast<std::size_t>(rigid) + 4 * static_cast<std::size_t>(controls) + (has_drive ? 12u : 0u);
+    }
+};
+
+inline JointShape shape_of(const JointSpec& spec)
+{
+    switch (static_cast<JointType>(spec.index()))
+    {
+    case JointType::Revolute: return {2, 1, false};
+    case JointType::Prismatic: return {2, 1, false};
+    case JointType::Distance:
+    {
+        const auto& distance = *std::get_if<DistanceJoint>(&spec);
+        const bool is_rod = !distance.limit && !distance.spring;
+        return {is_rod ? 1 : 0, is_rod ? 0 : 1, false};
+    }
+    case JointType::Weld:
+    {
+        const auto& weld = *std::get_if<WeldJoint>(&spec);
+        return {(weld.linear ? 0 : 2) + (weld.angular ? 0 : 1), weld.angular ? 1 : 0, weld.linear.has_value()};
+    }
+    case JointType::Wheel: return {1, 2, false};
+    case JointType::Motor: return {0, 1, true};
+    case JointType::Mouse: return {0, 0, true};
+    case JointType::Gear: return {1, 0, false};
+    default: return {0, 1, false}; // pulley
+    }
+}
+
+/// All lanes free: they push nothing.
+template <class F>
+JointRow<F> empty_row(const JointSpec& spec)
+{
+    JointRow<F> row = {};
+    const JointShape shape = shape_of(spec);
+    row.type = static_cast<JointType>(spec.index());
+    row.rigid_count = shape.rigid;
+    row.control_count = shape.controls;
+    row.has_drive = shape.has_drive;
+    row.joint.fill(null_index);
+    return row;
+}
+
+/// Farther than any coordinate: an end that is not there.
+inline constexpr float no_limit = 1e12f;
+/// Larger than any impulse of use [N s].
+inline constexpr float no_bound = 1e30f;
+
+inline SpringRow<float> spring_row(const std::optional<Spring>& spring, float h)
+{
+    return spring && spring->hertz > 0 ? make_spring(spring->hertz, spring->damping_ratio, h) : SpringRow<float>{0, 0, 1};
+}
+
+template <class F>
+void set_spring_lane(SpringRow<F>& row, int i, const SpringRow<float>& spring)
+{
+    lane(row.damping, i) = spring.damping;
+    lane(row.push, i) = spring.push;
+    lane(row.impulse_scale, i) = spring.impulse_scale;
+}
+
+/// What acts on a coordinate, as the user gave it.
+struct ControlSetup
+{
+    std::optional<Range> limit = {};
+    std::optional<Motor> motor = {};
+    std::optional<Spring> spring = {};
+    float target = 0;
+    float max_spring = no_bound; ///< [N] or [N m]
+};
+
+template <class F>
+void fill_control(ControlRow<F>& row, int i, const ControlSetup& setup, const ControlImpulses& impulses, const JointStepConstants& k)
+{
+    lane(row.lower, i) = setup.limit ? setup.limit->lower : -no_limit;
+    lane(row.upper, i) = setup.limit ? setup.limit->upper : no_limit;
+    lane(row.motor_speed, i) = setup.motor ? setup.motor->speed : 0.0f;
+    lane(row.max_motor, i) = setup.motor ? setup.motor->max_force * k.h : 0.0f;
+    lane(row.target, i) = setup.target;
+    lane(row.max_spring, i) = setup.max_spring * k.h;
+    set_spring_lane(row.spring, i, spring_row(setup.spring, k.h));
+    lane(row.lambda_spring, i) = setup.spring ? k.warm_scale * impulses.spring : 0.0f;
+    lane(row.lambda_motor, i) = setup.motor ? k.warm_scale * impulses.motor : 0.0f;
+    lane(row.lambda_lower, i) = setup.limit ? k.warm_scale * impulses.lower : 0.0f;
+    lane(row.lambda_upper, i) = setup.limit ? k.warm_scale * impulses.upper : 0.0f;
+}
+
+/// Where a joint's parts are at the start of the step.
+struct JointFrames
+{
+    Transform a; ///< frame A in the world
+    Transform b;
+    Vec2 center_a; ///< of mass, in the world; frame A's origin when A is the world
+    Vec2 center_b;
+};
+
+inline JointFrames frames_of(const Joint& joint, const BodyStore& bodies)
+{
+    JointFrames f;
+    f.a = world_frame(bodies, joint.body_a, joint.frame_a);
+    f.b = world_frame(bodies, joint.body_b, joint.frame_b);
+    f.center_a = joint.body_a == null_index ? f.a.p : bodies.poses[joint.body_a].center;
+    f.center_b = bodies.poses[joint.body_b].center;
+    return f;
+}
+
+/// Angle of frame B in frame A, on the turn that the joint has counted to; of joints that hold it, on the turn nearest to where it is held.
+inline float angle_of(const Joint& joint, const JointFrames& f)
+{
+    const float wrapped = angle(relative(f.a.q, f.b.q));
+    if (std::holds_alternative<WeldJoint>(joint.spec) || std::holds_alternative<PrismaticJoint>(joint.spec)) return unwrapped(wrapped, 0);
+    if (const auto* motor = std::get_if<MotorJoint>(&joint.spec)) return unwrapped(wrapped, motor->angle);
+    return unwrapped(wrapped, joint.angle);
+}
+
+/// What is special to a type.
+template <class F>
+void fill_type(JointRow<F>& row, int i, const Joint& joint, const JointFrames& f, const JointStepConstants& k)
+{
+    const auto control = [&](std::size_t index, const ControlSetup& setup)
+    { fill_control(row.controls[index], i, setup, joint.controls[index], k); };
+    const auto target = [](const std::optional<Spring>& spring) { return spring ? spring->target : 0.0f; };
+    const auto drive = [&](const Spring& spring, float max_force)
+    {
+        set_spring_lane(row.drive.spring, i, spring_row(spring, k.h));
+        lane(row.drive.max_lambda, i) = max_force * k.h;
+        set_lane(row.drive.lambda, i, k.warm_scale * joint.drive);
+    };
+    if (const auto* s = std::get_if<RevoluteJoint>(&joint.spec)) control(0, {s->limit, s->motor, s->spring, target(s->spring)});
+    if (const auto* s = std::get_if<PrismaticJoint>(&joint.spec)) control(0, {s->limit, s->motor, s->spring, target(s->spring)});
+    if (const auto* s = std::get_if<WheelJoint>(&joint.spec))
+    {
+        control(0, {s->limit, {}, s->suspension, target(s->suspension)});
+        control(1, {{}, s->motor, {}, 0});
+    }
+    if (const auto* s = std::get_if<DistanceJoint>(&joint.spec))
+    {
+        lane(row.length, i) = s->length;
+        if (row.control_count > 0) control(0, {s->limit, {}, s->spring, s->length});
+    }
+    if (const auto* s = std::get_if<WeldJoint>(&joint.spec))
+    {
+        if (s->linear) drive(*s->linear, no_bound);
+        if (s->angular) control(0, {{}, {}, s->angular, 0});
+    }
+    if (const auto* s = std::get_if<MotorJoint>(&joint.spec))
+    {
+        drive(s->spring, s->max_force);
+        control(0, {{}, {}, s->spring, s->angle, s->max_torque});
+        set_lane(row.place_a, i, rotate(f.a.q, s->offset));
+    }
+    if (const auto* s = std::get_if<MouseJoint>(&joint.spec)) drive(s->spring, s->max_force);
+    if (const auto* s = std::get_if<GearJoint>(&joint.spec))
+    {
+        lane(row.ratio, i) = s->ratio;
+        lane(row.slip, i) = joint.gear_slip;
+        lane(row.turns_a, i) = s->motion_a == GearMotion::Turn ? 1.0f : 0.0f;
+        lane(row.turns_b, i) = s->motion_b == GearMotion::Turn ? 1.0f : 0.0f;
+        if (s->motion_a == GearMotion::Slide) set_lane(row.place_a, i, rotate(f.a.q, Vec2{1, 0}));
+        if (s->motion_b == GearMotion::Slide) set_lane(row.place_b, i, rotate(f.b.q, Vec2{1, 0}));
+    }
+    if (const auto* s = std::get_if<PulleyJoint>(&joint.spec))
+    {
+        lane(row.ratio, i) = s->ratio;
+        set_lane(row.place_a, i, s->ground_a - f.a.p);
+        set_lane(row.place_b, i, s->ground_b - f.b.p);
+        control(0, {Range{-no_limit, s->length}, {}, {}, 0});
+    }
+}
+
+/// Writes a joint into lane `i` of a row of its type and shape.
+template <class F>
+void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, const JointStepConstants& k)
+{
+    const JointFrames f = frames_of(joint, bodies);
+    const std::uint32_t index_a = joint.body_a == null_index ? 0 : bodies.motion_index[joint.body_a];
+    const std::uint32_t index_b = bodies.motion_index[joint.body_b];
+    const BodyMass& mass_a = bodies.masses[index_a];
+    const BodyMass& mass_b = bodies.masses[index_b];
+    const auto at = static_cast<std::size_t>(i);
+    row.joint[at] = slot;
+    row.body_a[at] = index_a;
+    row.body_b[at] = index_b;
+    row.pushed_a[at] = can_be_pushed(mass_a) ? index_a : 0;
+    row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
+    set_lane(row.inv_mass_a, i, mass_a.inv_mass);
+    set_lane(row.inv_mass_b, i, mass_b.inv_mass);
+    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
+    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
+
+    // A mouse pulls from its target, wherever the frame of A is.
+    const auto* mouse = std::get_if<MouseJoint>(&joint.spec);
+    const Vec2 from = mouse ? mouse->target : f.a.p;
+    set_lane(row.arm_a, i, f.a.p - f.center_a);
+    set_lane(row.arm_b, i, f.b.p - f.center_b);
+    set_lane(row.apart, i, f.b.p - from);
+    set_lane(row.axis, i, rotate(f.a.q, Vec2{1, 0}));
+    lane(row.turn, i) = angle_of(joint, f);
+    for (std::size_t r = 0; r < static_cast<std::size_t>(row.rigid_count); ++r) lane(row.lambda[r], i) = k.warm_scale * joint.rigid[r];
+    fill_type(row, i, joint, f, k);
+}
+
+/// Takes lane `i` of a row back into its joint.
+template <class F>
+void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b, Joint& joint, float inv_dt)
+{
+    for (std::size_t r = 0; r < static_cast<std::size_t>(row.rigid_count); ++r) joint.rigid[r] = lane(row.lambda[r], i);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(row.control_count); ++c)
+    {
+        const ControlRow<F>& control = row.controls[c];
+        joint.controls[c] = {lane(control.lambda_spring, i), lane(control.lambda_motor, i), lane(control.lambda_lower, i),
+                             lane(control.lambda_upper, i)};
+    }
+    if (row.has_drive) joint.drive = {lane(row.drive.lambda.x, i), lane(row.drive.lambda.y, i)};
+    joint.angle = lane(turn_of(row, a, b), i);
+    if (row.type == JointType::Gear) joint.gear_slip = lane(row.error[0], i);
+    joint.force = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
+    joint.torque = inv_dt * lane(row.total_twist, i);
+}
+
+} // namespace carom::detail

@@ -1,0 +1,58 @@
+// Solves all joints of a step: builds their rows colour by colour, runs the passes, and stores the impulses.
+#pragma once
+
+#include "dynamics/body_store.hpp"
+#include "dynamics/joint_store.hpp"
+#include "solver/articulation.hpp"
+#include "solver/graph_colors.hpp"
+#include "solver/joint_row.hpp"
+
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// The rows of a step in lanes of type F. Definitions are in joint_solver_impl.hpp; one source file a lane type instantiates them.
+///
+/// In each pass what is soft or one-sided is solved joint by joint in the order of colours, then all rigid rows together (Articulation).
+template <class F>
+class JointSolver
+{
+public:
+    explicit JointSolver(std::pmr::memory_resource& memory) : rows_(&memory), articulation_(memory) {}
+
+    /// Makes a row of every joint that has a colour.
+    void build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants);
+
+    void warm_start(std::span<BodyMotion> motions);
+    void solve(std::span<BodyMotion> motions);
+    /// Linearises anew where the bodies have come to, and takes back what the bias pushed.
+    void relax(std::span<BodyMotion> motions);
+
+    /// @param inv_dt of the whole step [1/s]
+    void store_impulses(std::span<const BodyMotion> motions, JointStore& joints, float inv_dt) const;
+
+    bool is_empty() const { return rows_.empty(); }
+
+private:
+    template <class Kernel>
+    void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
+    void plan_articulation();
+    void factor();
+    template <bool WithBias>
+    void solve_articulation(std::span<BodyMotion> motions);
+    ArticulatedJoint& articulated(std::size_t row, int lane)
+    {
+        return articulation_.joints[row * lane_width<F> + static_cast<std::size_t>(lane)];
+    }
+
+    std::pmr::vector<JointRow<F>> rows_;
+    Articulation articulation_; ///< a joint a lane, in the order of the rows
+    JointConstants<F> constants_ = {};
+};
+
+extern template class JointSolver<float>;
+
+} // namespace carom::detail

@@ -1,0 +1,198 @@
+// Definitions of JointSolver, for the source files that instantiate it.
+#pragma once
+
+#include "solver/joint_kernels.hpp"
+#include "solver/joint_setup.hpp"
+#include "solver/joint_solver.hpp"
+
+namespace carom::detail
+{
+
+template <class F>
+void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints,
+                           const JointStepConstants& constants)
+{
+    rows_.clear();
+    articulation_.joints.clear();
+    constants_ = {F(constants.h), F(constants.inv_h), F(constants.rigid.bias_rate), F(constants.rigid.mass_scale),
+                  F(constants.rigid.impulse_scale)};
+    // A row's lanes hold joints of one type and one colour; those that found no colour depend on each other and get a lane each.
+    for (int color = color_count; color-- > 0;)
+    {
+        const int lanes = color == overflow_color ? 1 : lane_width<F>;
+        for (std::size_t type = 0; type < std::variant_size_v<JointSpec>; ++type)
+        {
+            int next = lanes;
+            std::size_t shape = 0; // rigid rows, controls and drive of the row in hand
+            for (const std::uint32_t slot : colors.list(color))
+            {
+                const Joint& joint = joints.joints[slot];
+                if (joint.spec.index() != type) continue;
+                if (next == lanes || shape != shape_of(joint.spec).key())
+                {
+                    rows_.emplace_back(empty_row<F>(joint.spec));
+                    shape = shape_of(joint.spec).key();
+                    next = 0;
+                }
+                fill_row(rows_.back(), next++, slot, joint, bodies, constants);
+            }
+        }
+    }
+    if (rows_.empty()) return;
+    for (JointRow<F>& row : rows_)
+    {
+        // Nothing has moved yet in this step.
+        BodyLanes<F> still = {{F(0), F(0)}, F(0), {F(0), F(0)}, {F(1), F(0)}};
+        linearise(row, still, still);
+    }
+    plan_articulation();
+    factor();
+}
+
+template <class F>
+void JointSolver<F>::plan_articulation()
+{
+    for (const JointRow<F>& row : rows_)
+    {
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const auto at = static_cast<std::size_t>(i);
+            ArticulatedJoint joint;
+            joint.body_a = row.pushed_a[at];
+            joint.body_b = row.pushed_b[at];
+            joint.count = row.joint[at] == null_index ? 0 : row.rigid_count;
+            joint.inv_mass_a = {lane(row.inv_mass_a.x, i), lane(row.inv_mass_a.y, i)};
+            joint.inv_mass_b = {lane(row.inv_mass_b.x, i), lane(row.inv_mass_b.y, i)};
+            joint.inv_inertia_a = lane(row.inv_inertia_a, i);
+            joint.inv_inertia_b = lane(row.inv_inertia_b, i);
+            articulation_.joints.push_back(joint);
+        }
+    }
+    articulation_.plan();
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+    {
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const bool is_alone = articulated(r, i).count > 0 && !articulated(r, i).is_in;
+            lane(rows_[r].alone, i) = is_alone ? 1.0f : 0.0f;
+            rows_[r].any_alone = rows_[r].any_alone || is_alone;
+        }
+    }
+}
+
+/// Hands the Jacobians of all rigid rows on.
+template <class F>
+void JointSolver<F>::factor()
+{
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+    {
+        const JointRow<F>& row = rows_[r];
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            for (std::size_t k = 0; k < static_cast<std::size_t>(row.rigid_count); ++k)
+            {
+                const Jacobian<F>& j = row.rigid[k];
+                articulated(r, i).j[k] = {
+                    {lane(j.l_a.x, i), lane(j.l_a.y, i)}, {lane(j.l_b.x, i), lane(j.l_b.y, i)}, lane(j.s_a, i), lane(j.s_b, i)};
+            }
+        }
+    }
+    articulation_.factor();
+}
+
+template <class F>
+template <class Kernel>
+void JointSolver<F>::for_each_row(std::span<BodyMotion> motions, Kernel&& kernel)
+{
+    for (JointRow<F>& row : rows_)
+    {
+        BodyLanes<F> a = gather<F>(motions, row.body_a);
+        BodyLanes<F> b = gather<F>(motions, row.body_b);
+        kernel(row, a, b);
+        scatter<F>(motions, row.pushed_a, a);
+        scatter<F>(motions, row.pushed_b, b);
+    }
+}
+
+template <class F>
+void JointSolver<F>::warm_start(std::span<BodyMotion> motions)
+{
+    for_each_row(motions, [](auto& row, auto& a, auto& b) { detail::warm_start(row, a, b); });
+}
+
+template <class F>
+void JointSolver<F>::solve(std::span<BodyMotion> motions)
+{
+    if (rows_.empty()) return;
+    for_each_row(motions, [this](auto& row, auto& a, auto& b)
+    {
+        bend(row, a, b, constants_);
+        detail::solve<true>(row, constants_, a, b);
+    });
+    solve_articulation<true>(motions);
+}
+
+template <class F>
+void JointSolver<F>::relax(std::span<BodyMotion> motions)
+{
+    if (rows_.empty()) return;
+    for_each_row(motions, [this](auto& row, auto& a, auto& b)
+    {
+        linearise(row, a, b);
+        detail::solve<false>(row, constants_, a, b);
+    });
+    factor();
+    solve_articulation<false>(motions);
+    for (JointRow<F>& row : rows_) sum_up(row);
+}
+
+/// A lambda = -(J v + curvature + bias error), for all rigid rows at once.
+template <class F>
+template <bool WithBias>
+void JointSolver<F>::solve_articulation(std::span<BodyMotion> motions)
+{
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+    {
+        JointRow<F>& row = rows_[r];
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        if constexpr (WithBias) bend(row, a, b, constants_);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(row.rigid_count); ++k)
+        {
+            F rate = velocity(row.rigid[k], a, b);
+            if constexpr (WithBias) rate = rate + row.curvature[k] + constants_.bias_rate * row.error[k];
+            for (int i = 0; i < lane_width<F>; ++i)
+                articulated(r, i).rhs[k] = articulated(r, i).is_in ? -static_cast<double>(lane(rate, i)) : 0;
+        }
+    }
+    articulation_.solve();
+    std::size_t r = 0;
+    for_each_row(motions, [&](auto& row, auto& a, auto& b)
+    {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(row.rigid_count); ++k)
+        {
+            F change = F(0);
+            for (int i = 0; i < lane_width<F>; ++i) lane(change, i) = static_cast<float>(articulated(r, i).rhs[k]);
+            row.lambda[k] = row.lambda[k] + change;
+            apply(row, row.rigid[k], change, a, b);
+        }
+        ++r;
+    });
+}
+
+template <class F>
+void JointSolver<F>::store_impulses(std::span<const BodyMotion> motions, JointStore& joints, float inv_dt) const
+{
+    for (const JointRow<F>& row : rows_)
+    {
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const std::uint32_t slot = row.joint[static_cast<std::size_t>(i)];
+            if (slot != null_index) store_row(row, i, a, b, joints.joints[slot], inv_dt);
+        }
+    }
+}
+
+} // namespace carom::detail
