@@ -50,6 +50,8 @@ struct BodyDef
     float angular_damping = 0;  ///< rate at which a dynamic body's spin decays [1/s], >= 0
     float gravity_scale = 1;    ///< multiplies WorldDef::gravity and fields
     MotionLocks locks = {};
+    bool can_sleep = true;       ///< may be put to sleep when it has come to rest
+    bool is_bullet = false;      ///< is kept from passing through others even when it moves less than half its size in a step
     bool is_attractor = false;   ///< pulls others through an NBodyField with NBodySources::Attractors
     bool is_enabled = true;      ///< a disabled body keeps its state and takes no part in the simulation
     std::string_view name = {};  ///< copied
@@ -76,6 +78,9 @@ public:
     float gravity_scale() const;
     MotionLocks locks() const;
     bool is_attractor() const;
+    bool is_awake() const; ///< false when it has come to rest and waits to be touched; a static body never is
+    bool can_sleep() const;
+    bool is_bullet() const;
     bool is_enabled() const;
     Vec2 force() const;   ///< gathered for the next step [N]
     float torque() const; ///< gathered for the next step [N m]
@@ -93,7 +98,7 @@ protected:
     BodyId id_;
 };
 
-/// Reads and changes a body. Changes throw UsageError on a value that is not finite or out of range, and during a step.
+/// Reads and changes a body. Changes wake it, and what touches it; only name, user data and the marks for attractors and bullets do not. Changes throw UsageError on a value that is not finite or out of range, and during a step.
 class Body : public BodyView
 {
 public:
@@ -107,6 +112,10 @@ public:
     void set_gravity_scale(float scale);
     void set_locks(MotionLocks locks);
     void set_is_attractor(bool is_attractor);
+    /// Wakes the body, or puts it to sleep at once, and all that it touches or is joined to with it.
+    void set_awake(bool is_awake);
+    void set_can_sleep(bool can_sleep);
+    void set_is_bullet(bool is_bullet);
     void set_enabled(bool is_enabled);
     /// Overrides what the shapes give, until reset_mass_data().
     /// @param data mass from 1e-12 to 1e20 kg and inertia from 1e-24 to 1e20 kg m^2 for a dynamic body; both may be 0 otherwise

@@ -13,6 +13,8 @@ namespace carom
 struct UniformField
 {
     Vec2 acceleration = {}; ///< [m/s^2]
+
+    friend bool operator==(const UniformField&, const UniformField&) = default;
 };
 
 /// Pull towards a fixed point: acceleration = strength d / (|d|^2 + softening^2)^(3/2), with d from the body to the point.
@@ -21,6 +23,8 @@ struct PointField
     Vec2 center = {};    ///< [m]
     float strength = 0;  ///< gravitational constant times mass [m^3/s^2]; negative pushes away
     float softening = 0; ///< [m], >= 0
+
+    friend bool operator==(const PointField&, const PointField&) = default;
 };
 
 /// How the pull between bodies is summed.
@@ -46,6 +50,8 @@ struct NBodyField
     NBodyMethod method = NBodyMethod::BarnesHut;
     NBodySources sources = NBodySources::All;
     float opening_angle = 0.5f; ///< Barnes-Hut: a node of side w at distance d counts as one mass when w / d is less; 0 to 1.5, 0 is exact
+
+    friend bool operator==(const NBodyField&, const NBodyField&) = default;
 };
 
 using Field = std::variant<UniformField, PointField, NBodyField>;

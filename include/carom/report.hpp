@@ -26,9 +26,11 @@ enum class Stage
     Restitution,         ///< bounces
     StoreImpulses,       ///< keeps impulses for the next step
     FinalizeBodies,      ///< transforms, bounds, quarantine
-    EmitEvents           ///< contacts and overlaps that began, persist, ended
+    Continuous,          ///< stops fast bodies at what they would pass through
+    EmitEvents,          ///< contacts and overlaps that began, persist, ended
+    Sleep                ///< islands that have come to rest
 };
-inline constexpr int stage_count = 12;
+inline constexpr int stage_count = 14;
 
 /// "find pairs", "update manifolds", ...
 std::string_view name_of(Stage stage);
@@ -40,6 +42,8 @@ struct StepReport
     std::array<double, stage_count> stage_seconds = {}; ///< wall time by stage, over all substeps [s]
 
     int bodies = 0;        ///< in the world
+    int awake_bodies = 0;  ///< dynamic and kinematic bodies that took part in the step
+    int islands = 0;       ///< awake sets of bodies that touch or are joined
     int shapes = 0;        ///< in the world
     int pairs = 0;         ///< pairs of shapes whose fattened bounds overlap
     int contacts = 0;      ///< of those, pairs that touch, as the events tell it: contacts and sensor overlaps

@@ -34,6 +34,17 @@ struct SolverTuning
     friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
 };
 
+/// When bodies that have come to rest leave the simulation. Those that touch or are joined sleep and wake together. A sleeper costs nothing, and is seen by
+/// sensors and queries. Contact, a joint, a force, a change or a teleport wakes it. Where an N-body field pulls, nobody sleeps.
+struct SleepTuning
+{
+    bool is_enabled = true;
+    float speed = 0.05f; ///< of no point of the body may be faster [m/s], >= 0
+    float time = 0.5f;   ///< for so long [s], >= 0
+
+    friend bool operator==(const SleepTuning&, const SleepTuning&) = default;
+};
+
 /// Room to set aside at the start, so that a world need not grow while it runs.
 struct CapacityHints
 {
@@ -48,6 +59,8 @@ struct WorldDef
     BroadPhaseType broad_phase = BroadPhaseType::Tree;
     BroadPhaseOptions broad_phase_options = {};
     SolverTuning solver = {};
+    SleepTuning sleep = {};
+    bool continuous = true; ///< fast bodies are stopped at what they would pass through
     CapacityHints capacity = {};
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
     std::pmr::memory_resource* memory = nullptr;
@@ -128,7 +141,14 @@ public:
     SolverTuning solver_tuning() const;
     void set_solver_tuning(const SolverTuning& tuning);
 
+    SleepTuning sleep_tuning() const;
+    void set_sleep_tuning(const SleepTuning& tuning); ///< wakes all when it forbids sleep
+    void wake_all();
+    bool is_continuous() const;
+    void set_continuous(bool continuous);
+
     int body_count() const;
+    int awake_body_count() const; ///< dynamic and kinematic ones that take part in the next step
     int shape_count() const;
     int joint_count() const;
     /// Number of steps taken.

@@ -15,11 +15,13 @@ BodyStore::BodyStore(std::pmr::memory_resource& memory)
       motion_index(&memory),
       motions(&memory),
       masses(&memory),
-      drives(&memory)
+      drives(&memory),
+      watches(&memory)
 {
     motions.emplace_back();
     masses.emplace_back();
     drives.emplace_back();
+    watches.emplace_back();
 }
 
 void BodyStore::reserve(std::size_t count)
@@ -31,6 +33,7 @@ void BodyStore::reserve(std::size_t count)
     motions.reserve(count + 1);
     masses.reserve(count + 1);
     drives.reserve(count + 1);
+    watches.reserve(count + 1);
 }
 
 void BodyStore::make_room_for_one()
@@ -43,6 +46,7 @@ void BodyStore::make_room_for_one()
     make_room(motions, count + 1);
     make_room(masses, count + 1);
     make_room(drives, count + 1);
+    make_room(watches, count + 1);
 }
 
 std::uint32_t BodyStore::create(const BodyDef& def)
@@ -63,6 +67,8 @@ std::uint32_t BodyStore::create(const BodyDef& def)
     record.type = def.type;
     record.is_enabled = def.is_enabled;
     record.is_attractor = def.is_attractor;
+    record.can_sleep = def.can_sleep;
+    record.is_bullet = def.is_bullet;
     record.locks = def.locks;
     record.linear_damping = def.linear_damping;
     record.angular_damping = def.angular_damping;
@@ -90,6 +96,7 @@ void BodyStore::activate(std::uint32_t slot)
     motions.push_back({.v = record.saved_v, .w = record.saved_w, .dp = {}, .dq = {}, .slot = slot});
     masses.emplace_back();
     drives.emplace_back();
+    watches.emplace_back();
 }
 
 void BodyStore::deactivate(std::uint32_t slot)
@@ -102,17 +109,19 @@ void BodyStore::deactivate(std::uint32_t slot)
     motions[index] = motions[last];
     masses[index] = masses[last];
     drives[index] = drives[last];
+    watches[index] = watches[last];
     motion_index[motions[index].slot] = index;
     motions.pop_back();
     masses.pop_back();
     drives.pop_back();
+    watches.pop_back();
     motion_index[slot] = 0;
 }
 
 void BodyStore::refresh(std::uint32_t slot)
 {
     BodyRecord& record = records[slot];
-    const bool should_be_active = record.is_enabled && record.type != BodyType::Static;
+    const bool should_be_active = record.is_enabled && record.type != BodyType::Static && !record.is_asleep;
     if (should_be_active && !is_active(slot)) activate(slot);
     if (!should_be_active && is_active(slot)) deactivate(slot);
     if (record.type == BodyType::Static)
@@ -129,6 +138,12 @@ void BodyStore::refresh(std::uint32_t slot)
     drive.gravity_scale = {};
     drive.linear_damping = record.linear_damping;
     drive.angular_damping = record.angular_damping;
+    BodyWatch& watch = watches[index];
+    watch.island = record.island;
+    watch.inner_radius = record.inner_radius;
+    watch.outer_radius = record.outer_radius;
+    watch.can_sleep = record.can_sleep;
+    watch.is_bullet = record.is_bullet;
     if (record.type == BodyType::Kinematic)
     {
         drive.force = {};

@@ -45,6 +45,18 @@ struct BodyDrive
     float angular_damping = 0; ///< [1/s]
 };
 
+/// What the end of a step looks at of an active body, by motion index.
+struct BodyWatch
+{
+    float rest_time = 0;               ///< how long it has been slow [s]
+    std::uint32_t island = null_index; ///< of a dynamic body
+    float inner_radius = 0;            ///< of its thinnest shape [m]
+    float outer_radius = 0;            ///< from the centre of mass to the farthest point [m]
+    bool can_sleep = true;
+    bool has_woken = false; ///< since the last step
+    bool is_bullet = false;
+};
+
 /// Where a body is, by slot.
 struct BodyPose
 {
@@ -61,6 +73,9 @@ struct BodyRecord
     BodyType type = BodyType::Dynamic;
     bool is_enabled = true;
     bool is_attractor = false;
+    bool is_asleep = false;
+    bool can_sleep = true;
+    bool is_bullet = false;
     bool has_mass_override = false;
     MotionLocks locks;
     float linear_damping = 0;
@@ -75,9 +90,14 @@ struct BodyRecord
     std::uint32_t last_shape = null_index;
     std::uint32_t shape_count = 0;
     std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
-    std::uint32_t first_joint = null_index;   ///< joint edge, see JointStore
-    std::uint32_t color_mask = 0;             ///< solver colours in use by this body's contacts
-    std::uint32_t joint_color_mask = 0;       ///< and by its joints
+    float inner_radius = 0;                   ///< see BodyWatch
+    float outer_radius = 0;
+    std::uint32_t island = null_index; ///< of a dynamic body that is enabled
+    std::uint32_t previous_in_island = null_index;
+    std::uint32_t next_in_island = null_index;
+    std::uint32_t first_joint = null_index; ///< joint edge, see JointStore
+    std::uint32_t color_mask = 0;           ///< solver colours in use by this body's contacts
+    std::uint32_t joint_color_mask = 0;     ///< and by its joints
     std::uint64_t user_data = 0;
     std::pmr::string name;
 };
@@ -85,7 +105,7 @@ struct BodyRecord
 /// Two parts as one body.
 MassData combined(const MassData& a, const MassData& b);
 
-/// All bodies of a world. A body is active while it is enabled and not static; only active ones have a motion index. Motion index 0
+/// All bodies of a world. A body is active while it is enabled, not static and awake; only active ones have a motion index. Motion index 0
 /// stands for everything that does not move: at rest, infinitely heavy, never written.
 class BodyStore
 {
@@ -98,7 +118,7 @@ public:
     void destroy(std::uint32_t slot);
     void reserve(std::size_t count);
 
-    /// Makes the dense arrays follow the record: type, enabled, mass, locks, damping.
+    /// Makes the dense arrays follow the record: type, enabled, asleep, mass, locks, damping, size.
     void refresh(std::uint32_t slot);
     bool is_active(std::uint32_t slot) const { return motion_index[slot] != 0; }
     bool is_dynamic(std::uint32_t slot) const { return records[slot].type == BodyType::Dynamic; }
@@ -122,9 +142,10 @@ public:
     std::pmr::vector<BodyPose> poses;             ///< by slot
     std::pmr::vector<std::uint32_t> motion_index; ///< by slot; 0 when not active
 
-    std::pmr::vector<BodyMotion> motions; ///< by motion index, as are the next two
+    std::pmr::vector<BodyMotion> motions; ///< by motion index, as are the next three
     std::pmr::vector<BodyMass> masses;
     std::pmr::vector<BodyDrive> drives;
+    std::pmr::vector<BodyWatch> watches;
 
 private:
     void make_room_for_one();

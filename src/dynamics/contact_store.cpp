@@ -11,6 +11,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
     make_room(contacts, contacts.size() + 1);
     make_room(manifolds, contacts.size() + 1);
+    make_room(awake, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
@@ -19,6 +20,8 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     }
     contacts[slot] = pair;
     contacts[slot].is_live = true;
+    contacts[slot].place_in_awake = null_index;
+    wake(slot);
     manifolds[slot] = {};
     link(2 * slot, pair.body_a, bodies);
     link(2 * slot + 1, pair.body_b, bodies);
@@ -29,8 +32,27 @@ void ContactStore::destroy(std::uint32_t slot, BodyStore& bodies)
 {
     unlink(2 * slot, contacts[slot].body_a, bodies);
     unlink(2 * slot + 1, contacts[slot].body_b, bodies);
+    put_to_sleep(slot);
     contacts[slot].is_live = false;
     slots.release(slot);
+}
+
+void ContactStore::wake(std::uint32_t slot)
+{
+    if (contacts[slot].place_in_awake != null_index) return;
+    contacts[slot].place_in_awake = static_cast<std::uint32_t>(awake.size());
+    awake.push_back(slot);
+}
+
+void ContactStore::put_to_sleep(std::uint32_t slot)
+{
+    const std::uint32_t place = contacts[slot].place_in_awake;
+    if (place == null_index) return;
+    const std::uint32_t last = awake.back();
+    awake[place] = last;
+    contacts[last].place_in_awake = place;
+    awake.pop_back();
+    contacts[slot].place_in_awake = null_index;
 }
 
 void ContactStore::reserve(std::size_t count)
@@ -38,6 +60,7 @@ void ContactStore::reserve(std::size_t count)
     slots.reserve(count);
     contacts.reserve(count);
     manifolds.reserve(count);
+    awake.reserve(count);
 }
 
 void ContactStore::link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies)

@@ -31,6 +31,7 @@ struct Contact
     float rolling_resistance = 0; ///< times a radius [m]
     float tangent_speed = 0;      ///< of B past A along the right of the normal [m/s]
     std::uint32_t index_in_color = 0;
+    std::uint32_t place_in_awake = null_index;
     std::uint8_t color = no_color; ///< the solver's colour while the contact has points
     bool is_live = false;
     bool is_sensor = false;
@@ -63,20 +64,24 @@ struct ContactManifold
     std::array<ContactPointState, 2> points;
 };
 
-/// All contacts of a world. The contacts of a body form a list of edges; edge 2 c is contact c seen from body A, 2 c + 1 from body B.
+/// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The contacts of a body form a list of edges; edge 2 c is contact c seen from body A, 2 c + 1 from body B.
 class ContactStore
 {
 public:
-    explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory) {}
+    explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory), awake(&memory) {}
 
-    /// Changes nothing when memory runs out.
+    /// Awake, whoever its bodies are: the next update looks at it. Changes nothing when memory runs out.
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);
+    /// Looks at a contact again in each step, or no longer. Neither allocates, nor minds when it is so already.
+    void wake(std::uint32_t slot);
+    void put_to_sleep(std::uint32_t slot);
 
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
+    std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
 
 private:
     void link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);

@@ -33,7 +33,8 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
     }
 }
 
-void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, std::pmr::vector<std::uint32_t>& not_finite)
+void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
+                     std::pmr::vector<std::uint32_t>& not_finite)
 {
     // The margin follows the velocity for this many steps to come: fewer searches for pairs, against more false pairs.
     constexpr float steps_ahead = 2;
@@ -60,6 +61,9 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         }
         pose.center = center;
         pose.transform = transform;
+        BodyWatch& watch = bodies.watches[i];
+        const bool is_slow = length(motion.v) + std::abs(motion.w) * watch.outer_radius <= sleep_speed;
+        watch.rest_time = is_slow && watch.can_sleep ? watch.rest_time + dt : 0;
         refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
     }
 }

@@ -14,8 +14,10 @@ namespace carom::detail
 /// Moves poses by the way since the start of the step and clears it and the forces. Shapes that leave their fat bounds get new
 /// ones and are marked as moved. A body whose state is not finite, or is beyond 1e15, stays where it
 /// was, at rest.
+/// @param sleep_speed slower bodies are at rest; how long they have been is kept in their BodyWatch [m/s]
 /// @param not_finite slots of such bodies, to be disabled; appended to
-void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, std::pmr::vector<std::uint32_t>& not_finite);
+void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
+                     std::pmr::vector<std::uint32_t>& not_finite);
 
 /// New bounds of all shapes of a body that was moved by hand; they are marked as moved when they leave the fat ones.
 void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way);

@@ -101,10 +101,9 @@ void forget_impulses(ContactManifold& manifold)
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes)
 {
     changes.clear();
-    for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
+    for (const std::uint32_t slot : contacts.awake)
     {
         const Contact& contact = contacts.contacts[slot];
-        if (!contact.is_live) continue;
 
         const ShapeBounds& a = shapes.bounds[contact.shape_a];
         const ShapeBounds& b = shapes.bounds[contact.shape_b];

@@ -12,7 +12,7 @@
 namespace carom::detail
 {
 
-/// Contacts whose standing with the solver is to change, each list by rising slot. They are told by what the contact has, not by what it
+/// Contacts whose standing with the solver is to change, each list in the order of the awake contacts. They are told by what the contact has, not by what it
 /// had before, so that a step that ran out of memory is made up for by the next.
 struct ContactChanges
 {
@@ -31,7 +31,7 @@ void mix_materials(Contact& contact, const ShapeStore& shapes);
 /// Starts a contact cold: its shapes are no longer those that made its points.
 void forget_impulses(ContactManifold& manifold);
 
-/// Collides the shapes of every contact anew; points made by the same features keep their impulses.
+/// Collides the shapes of every awake contact anew; points made by the same features keep their impulses.
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes);
 
 } // namespace carom::detail

@@ -1,6 +1,8 @@
 // Places of a store: which are taken, which are free, and by which generation of tenant.
 #pragma once
 
+#include "memory/make_room.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <memory_resource>
@@ -57,6 +59,8 @@ public:
     std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
     int live_count() const { return live_count_; }
     void reserve(std::size_t count) { slots_.reserve(count); }
+    /// So that acquire() does not allocate up to this size.
+    void make_room(std::size_t size) { detail::make_room(slots_, size); }
 
 private:
     struct Slot

@@ -19,7 +19,9 @@ std::string_view name_of(Stage stage)
     case Stage::Restitution: return "restitution";
     case Stage::StoreImpulses: return "store impulses";
     case Stage::FinalizeBodies: return "finalize bodies";
+    case Stage::Continuous: return "continuous";
     case Stage::EmitEvents: return "emit events";
+    case Stage::Sleep: return "sleep";
     }
     return "?";
 }

@@ -178,7 +178,7 @@ void run(RandomPile& pile)
         solver.relax(motions);
     }
     solver.bounce(motions);
-    solver.store_impulses(pile.contacts);
+    solver.store_impulses(pile.contacts, pile.bodies.watches);
 }
 
 bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }

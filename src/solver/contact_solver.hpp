@@ -31,7 +31,8 @@ public:
     void relax(std::span<BodyMotion> motions);
     void bounce(std::span<BodyMotion> motions);
 
-    void store_impulses(ContactStore& contacts) const;
+    /// @param watches bodies of contacts that are still coming up begin their rest anew
+    void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const;
 
     int row_count() const { return row_count_; }
 

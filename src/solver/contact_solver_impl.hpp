@@ -182,7 +182,7 @@ void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
 }
 
 template <class F>
-void ContactSolver<F>::store_impulses(ContactStore& contacts) const
+void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const
 {
     const auto store = [&](const auto& row)
     {
@@ -206,7 +206,14 @@ void ContactSolver<F>::store_impulses(ContactStore& contacts) const
                 load += point.normal_impulse / static_cast<float>(row.points.size());
             }
             const float carried = lane(row.carried, i);
-            manifold.carried_impulse = carried + carry_share_ * (carried_part * load - carried);
+            const float missing = carried_part * load - carried;
+            manifold.carried_impulse = carried + carry_share_ * missing;
+
+            // How far the spring of the contact is from where the whole correction would hold it.
+            const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
+            if (lane(row.impulse_scale, i) * missing <= settled_within * stiffness) continue;
+            for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
+                if (body != 0) watches[body].rest_time = 0;
         }
     };
     for (const auto& row : single_) store(row);

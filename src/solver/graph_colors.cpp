@@ -11,6 +11,9 @@ namespace
 
 constexpr std::uint32_t all_colors = (std::uint32_t{1} << overflow_color) - 1;
 
+/// Small lists grow and shrink by chance: room for that from the start, so that a pile that was warm stays warm.
+constexpr std::size_t least_capacity = 64;
+
 std::uint8_t pick_color(bool is_dynamic_a, bool is_dynamic_b, std::uint32_t used)
 {
     const std::uint32_t free = ~used & all_colors;
@@ -35,6 +38,7 @@ void GraphColors<Kind>::add(std::uint32_t constraint, Store& store, BodyStore& b
 
     const std::uint8_t color = pick_color(is_dynamic_a, is_dynamic_b, used);
     std::pmr::vector<std::uint32_t>& list = colors_[color];
+    if (list.capacity() == 0) list.reserve(least_capacity);
     list.push_back(constraint); // may throw: nothing has changed before
     pair.index_in_color = static_cast<std::uint32_t>(list.size() - 1);
     pair.color = color;

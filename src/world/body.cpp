@@ -3,6 +3,7 @@
 
 #include "dynamics/finalize_bodies.hpp"
 #include "world/edits.hpp"
+#include "world/sleep.hpp"
 #include "world/validate.hpp"
 
 namespace carom
@@ -55,6 +56,12 @@ float BodyView::gravity_scale() const { return world_->bodies.records[require_bo
 MotionLocks BodyView::locks() const { return world_->bodies.records[require_body(*world_, id_, "locks")].locks; }
 
 bool BodyView::is_attractor() const { return world_->bodies.records[require_body(*world_, id_, "is_attractor")].is_attractor; }
+
+bool BodyView::is_awake() const { return world_->bodies.is_active(require_body(*world_, id_, "is_awake")); }
+
+bool BodyView::can_sleep() const { return world_->bodies.records[require_body(*world_, id_, "can_sleep")].can_sleep; }
+
+bool BodyView::is_bullet() const { return world_->bodies.records[require_body(*world_, id_, "is_bullet")].is_bullet; }
 
 bool BodyView::is_enabled() const { return world_->bodies.records[require_body(*world_, id_, "is_enabled")].is_enabled; }
 
@@ -111,6 +118,7 @@ void Body::set_linear_velocity(Vec2 velocity)
 {
     const std::uint32_t body = editable(*world_, id_, "set_linear_velocity");
     detail::validate_velocity(world_->bodies.records[body].type, velocity, "set_linear_velocity");
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.set_velocity(body, velocity);
 }
 
@@ -118,6 +126,7 @@ void Body::set_angular_velocity(float velocity)
 {
     const std::uint32_t body = editable(*world_, id_, "set_angular_velocity");
     detail::validate_spin(world_->bodies.records[body].type, velocity, "set_angular_velocity");
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.set_spin(body, velocity);
 }
 
@@ -125,6 +134,7 @@ void Body::set_linear_damping(float rate)
 {
     const std::uint32_t body = editable(*world_, id_, "set_linear_damping");
     detail::require_range("set_linear_damping", "rate", rate, 0, detail::max_factor);
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.records[body].linear_damping = rate;
     world_->bodies.refresh(body);
 }
@@ -133,6 +143,7 @@ void Body::set_angular_damping(float rate)
 {
     const std::uint32_t body = editable(*world_, id_, "set_angular_damping");
     detail::require_range("set_angular_damping", "rate", rate, 0, detail::max_factor);
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.records[body].angular_damping = rate;
     world_->bodies.refresh(body);
 }
@@ -141,6 +152,7 @@ void Body::set_gravity_scale(float scale)
 {
     const std::uint32_t body = editable(*world_, id_, "set_gravity_scale");
     detail::require_range("set_gravity_scale", "scale", scale, -detail::max_factor, detail::max_factor);
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.records[body].gravity_scale = scale;
     world_->bodies.refresh(body);
 }
@@ -148,6 +160,7 @@ void Body::set_gravity_scale(float scale)
 void Body::set_locks(MotionLocks locks)
 {
     const std::uint32_t body = editable(*world_, id_, "set_locks");
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.records[body].locks = locks;
     world_->bodies.refresh(body);
 }
@@ -157,6 +170,30 @@ void Body::set_is_attractor(bool is_attractor)
     world_->bodies.records[editable(*world_, id_, "set_is_attractor")].is_attractor = is_attractor;
 }
 
+void Body::set_awake(bool is_awake)
+{
+    const std::uint32_t body = editable(*world_, id_, "set_awake");
+    if (is_awake)
+        detail::wake_with_neighbors(*world_, body);
+    else
+        detail::put_body_to_sleep(*world_, body);
+}
+
+void Body::set_can_sleep(bool can_sleep)
+{
+    const std::uint32_t body = editable(*world_, id_, "set_can_sleep");
+    if (!can_sleep) detail::wake_body(*world_, body);
+    world_->bodies.records[body].can_sleep = can_sleep;
+    world_->bodies.refresh(body);
+}
+
+void Body::set_is_bullet(bool is_bullet)
+{
+    const std::uint32_t body = editable(*world_, id_, "set_is_bullet");
+    world_->bodies.records[body].is_bullet = is_bullet;
+    world_->bodies.refresh(body);
+}
+
 void Body::set_enabled(bool is_enabled) { detail::set_body_enabled(*world_, editable(*world_, id_, "set_enabled"), is_enabled); }
 
 void Body::set_mass_data(const MassData& data)
@@ -164,16 +201,20 @@ void Body::set_mass_data(const MassData& data)
     const std::uint32_t body = editable(*world_, id_, "set_mass_data");
     detail::BodyRecord& record = world_->bodies.records[body];
     detail::validate_mass(data, record.type, "set_mass_data");
+    detail::wake_with_neighbors(*world_, body);
     record.has_mass_override = true;
     record.mass_override = data;
     world_->bodies.refresh_mass(body);
+    detail::refresh_extent(*world_, body);
 }
 
 void Body::reset_mass_data()
 {
     const std::uint32_t body = editable(*world_, id_, "reset_mass_data");
+    detail::wake_with_neighbors(*world_, body);
     world_->bodies.records[body].has_mass_override = false;
     world_->bodies.refresh_mass(body);
+    detail::refresh_extent(*world_, body);
 }
 
 void Body::set_name(std::string_view name) { world_->bodies.records[editable(*world_, id_, "set_name")].name = name; }
@@ -185,6 +226,7 @@ void Body::apply_force(Vec2 force, Vec2 world_point)
     const std::uint32_t body = editable(*world_, id_, "apply_force");
     detail::require_finite("apply_force", "force", force);
     detail::require_within("apply_force", "world_point", world_point, max_coordinate);
+    detail::wake_with_neighbors(*world_, body);
     if (!world_->bodies.is_pushable(body)) return;
     detail::BodyDrive& drive = world_->bodies.drives[world_->bodies.motion_index[body]];
     drive.force += force;
@@ -195,6 +237,7 @@ void Body::apply_force_to_center(Vec2 force)
 {
     const std::uint32_t body = editable(*world_, id_, "apply_force_to_center");
     detail::require_finite("apply_force_to_center", "force", force);
+    detail::wake_with_neighbors(*world_, body);
     if (world_->bodies.is_pushable(body)) world_->bodies.drives[world_->bodies.motion_index[body]].force += force;
 }
 
@@ -202,6 +245,7 @@ void Body::apply_torque(float torque)
 {
     const std::uint32_t body = editable(*world_, id_, "apply_torque");
     detail::require_finite("apply_torque", "torque", torque);
+    detail::wake_with_neighbors(*world_, body);
     if (world_->bodies.is_pushable(body)) world_->bodies.drives[world_->bodies.motion_index[body]].torque += torque;
 }
 
@@ -210,6 +254,7 @@ void Body::apply_impulse(Vec2 impulse, Vec2 world_point)
     const std::uint32_t body = editable(*world_, id_, "apply_impulse");
     detail::require_finite("apply_impulse", "impulse", impulse);
     detail::require_within("apply_impulse", "world_point", world_point, max_coordinate);
+    detail::wake_with_neighbors(*world_, body);
     if (!world_->bodies.is_pushable(body)) return;
     world_->bodies.push(body, impulse, cross(world_point - world_->bodies.poses[body].center, impulse));
 }
@@ -218,6 +263,7 @@ void Body::apply_impulse_to_center(Vec2 impulse)
 {
     const std::uint32_t body = editable(*world_, id_, "apply_impulse_to_center");
     detail::require_finite("apply_impulse_to_center", "impulse", impulse);
+    detail::wake_with_neighbors(*world_, body);
     if (world_->bodies.is_pushable(body)) world_->bodies.push(body, impulse, 0);
 }
 
@@ -225,6 +271,7 @@ void Body::apply_angular_impulse(float impulse)
 {
     const std::uint32_t body = editable(*world_, id_, "apply_angular_impulse");
     detail::require_finite("apply_angular_impulse", "impulse", impulse);
+    detail::wake_with_neighbors(*world_, body);
     if (world_->bodies.is_pushable(body)) world_->bodies.push(body, {}, impulse);
 }
 

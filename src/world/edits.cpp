@@ -2,7 +2,13 @@
 #include "world/edits.hpp"
 
 #include "dynamics/finalize_bodies.hpp"
+#include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
+#include "memory/make_room.hpp"
+#include "world/sleep.hpp"
+
+#include <algorithm>
+#include <limits>
 
 namespace carom::detail
 {
@@ -24,6 +30,7 @@ void insert_proxy(WorldState& world, std::uint32_t shape)
     bounds.fat = fattened(bounds.tight, {});
     world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
     world.shapes.mark_moved(shape);
+    world.must_review = true;
 }
 
 void remove_proxy(WorldState& world, std::uint32_t shape)
@@ -68,7 +75,15 @@ void unlink_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
 
 } // namespace
 
-std::uint32_t create_body(WorldState& world, const BodyDef& def) { return world.bodies.create(def); }
+std::uint32_t create_body(WorldState& world, const BodyDef& def)
+{
+    world.islands.make_room_for(world.bodies.records.size() + 1);
+    make_room(world.events.fell_asleep, world.bodies.records.size() + 1);
+    make_room(world.events.woke, world.bodies.records.size() + 1);
+    const std::uint32_t body = world.bodies.create(def);
+    refresh_island(world, body);
+    return body;
+}
 
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def)
 {
@@ -85,13 +100,16 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
     link_shape(world, body, shape);
     MassData& mass = world.bodies.records[body].shapes_mass;
     mass = combined(mass, mass_from(stored, def.density));
+    wake_body(world, body);
     world.bodies.refresh_mass(body);
+    refresh_extent(world, body);
     return shape;
 }
 
 void destroy_shape(WorldState& world, std::uint32_t shape)
 {
     const std::uint32_t body = world.shapes.records[shape].body;
+    wake_body(world, body);
     destroy_contacts_of_shape(world, shape);
     if (world.bodies.records[body].is_enabled) remove_proxy(world, shape);
     unlink_shape(world, body, shape);
@@ -101,6 +119,7 @@ void destroy_shape(WorldState& world, std::uint32_t shape)
 
 void destroy_body(WorldState& world, std::uint32_t body)
 {
+    wake_with_neighbors(world, body);
     while (world.bodies.records[body].first_joint != null_index) destroy_joint(world, world.bodies.records[body].first_joint / 2);
     destroy_contacts_of_body(world, body);
     const bool has_proxies = world.bodies.records[body].is_enabled;
@@ -109,6 +128,7 @@ void destroy_body(WorldState& world, std::uint32_t body)
         if (has_proxies) remove_proxy(world, shape);
         world.shapes.destroy(shape);
     });
+    if (world.bodies.records[body].island != null_index) world.islands.remove(body, world.bodies);
     world.bodies.destroy(body);
 }
 
@@ -116,6 +136,12 @@ void destroy_contact(WorldState& world, std::uint32_t contact)
 {
     const Contact& pair = world.contacts.contacts[contact];
     note_end(pair, world.shapes, world.world, world.events);
+    if (!pair.is_sensor && world.contacts.manifolds[contact].count > 0)
+    {
+        wake_body(world, pair.body_a);
+        wake_body(world, pair.body_b);
+        world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
+    }
     world.colors.remove(contact, world.contacts, world.bodies);
     world.pairs.erase({pair.shape_a, pair.shape_b});
     world.contacts.destroy(contact, world.bodies);
@@ -141,10 +167,13 @@ void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape)
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
 {
     if (world.bodies.records[body].type == type) return;
+    wake_with_neighbors(world, body);
     destroy_contacts_of_body(world, body);
     retire_joints_of_body(world, body);
     world.bodies.records[body].type = type;
+    world.bodies.records[body].is_asleep = false;
     refresh_mass(world, body);
+    refresh_island(world, body);
     refresh_joints_of_body(world, body);
     if (world.bodies.records[body].is_enabled) for_each_shape(world, body, [&](std::uint32_t shape) { renew_proxy(world, shape); });
 }
@@ -152,15 +181,20 @@ void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
 void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
 {
     if (world.bodies.records[body].is_enabled == is_enabled) return;
+    wake_with_neighbors(world, body);
     destroy_contacts_of_body(world, body);
     world.bodies.records[body].is_enabled = is_enabled;
+    world.bodies.records[body].is_asleep = false;
     world.bodies.refresh(body);
+    refresh_island(world, body);
     refresh_joints_of_body(world, body);
     for_each_shape(world, body, [&](std::uint32_t shape) { is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape); });
 }
 
 void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform)
 {
+    wake_with_neighbors(world, body);
+    review_contacts(world, body);
     world.bodies.set_transform(body, transform);
     if (world.bodies.records[body].is_enabled)
         refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
@@ -176,6 +210,22 @@ void refresh_mass(WorldState& world, std::uint32_t body)
     { sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
     world.bodies.records[body].shapes_mass = sum;
     world.bodies.refresh_mass(body);
+    refresh_extent(world, body);
+}
+
+void refresh_extent(WorldState& world, std::uint32_t body)
+{
+    BodyRecord& record = world.bodies.records[body];
+    if (record.type != BodyType::Dynamic) return; // nobody asks, and a ground may have many shapes
+    record.inner_radius = record.first_shape == null_index ? 0 : std::numeric_limits<float>::max();
+    record.outer_radius = 0;
+    for_each_shape(world, body, [&](std::uint32_t shape)
+    {
+        record.inner_radius = std::min(record.inner_radius, inner_radius(world.shapes.geometry[shape]));
+        record.outer_radius =
+            std::max(record.outer_radius, outer_radius(world.shapes.geometry[shape], world.bodies.poses[body].local_center));
+    });
+    world.bodies.refresh(body);
 }
 
 void renew_proxy(WorldState& world, std::uint32_t shape)

@@ -42,6 +42,8 @@ void destroy_joint(WorldState& world, std::uint32_t joint);
 /// Tells that a joint is about to go because it pulled too hard.
 void note_break(WorldState& world, std::uint32_t joint);
 void set_collide_connected(WorldState& world, std::uint32_t joint, bool collide_connected);
+/// Wakes what a joint holds together.
+void wake_ends(WorldState& world, const Joint& joint);
 /// Takes joints in or out of the solver, as their bodies ask.
 void refresh_joints_of_body(WorldState& world, std::uint32_t body);
 void retire_joints_of_body(WorldState& world, std::uint32_t body);
@@ -49,6 +51,8 @@ void retire_joints_of_body(WorldState& world, std::uint32_t body);
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type);
 void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled);
 void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform);
+/// Measures the shapes anew.
+void refresh_extent(WorldState& world, std::uint32_t body);
 /// Sums the shapes' masses anew.
 void refresh_mass(WorldState& world, std::uint32_t body);
 

@@ -2,6 +2,7 @@
 #include "world/event_buffers.hpp"
 
 #include "geometry/manifold.hpp"
+#include "memory/make_room.hpp"
 
 #include <algorithm>
 
@@ -101,6 +102,7 @@ Manifold public_manifold(const ContactManifold& manifold)
 void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
     if (!contact.is_touching) return;
+    --events.touching;
     if (contact.is_sensor)
     {
         add_sensor_events(contact, shapes, world, events.pending_sensor_end);
@@ -121,27 +123,32 @@ int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t 
     events.contact_end.swap(events.pending_contact_end);
     events.sensor_end.swap(events.pending_sensor_end);
 
-    int touching = 0;
-    for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
+    for (const std::uint32_t slot : contacts.awake)
     {
         Contact& contact = contacts.contacts[slot];
         const ContactManifold& manifold = contacts.manifolds[slot];
-        if (!contact.is_live || (manifold.count == 0 && !contact.is_touching)) continue;
+        if (manifold.count == 0 && !contact.is_touching) continue;
         const bool touches_now = touches(contact, manifold);
-        touching += touches_now ? 1 : 0;
+        events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);
         if (contact.is_sensor)
             emit_sensor(contact, touches_now, shapes, world, events);
         else
             emit_contact(contact, manifold, touches_now, shapes, world, events);
     }
 
+    keep_headroom(events.contact_begin);
+    keep_headroom(events.contact_persist);
+    keep_headroom(events.contact_end);
+    keep_headroom(events.sensor_begin);
+    keep_headroom(events.sensor_persist);
+    keep_headroom(events.sensor_end);
     sort_contacts(events.contact_begin);
     sort_contacts(events.contact_persist);
     sort_contacts(events.contact_end);
     sort_sensors(events.sensor_begin);
     sort_sensors(events.sensor_persist);
     sort_sensors(events.sensor_end);
-    return touching;
+    return events.touching;
 }
 
 } // namespace carom::detail

@@ -26,8 +26,7 @@ struct EventBuffers
           pending_sensor_end(&memory),
           joint_break(&memory),
           fell_asleep(&memory),
-          woke(&memory),
-          pending_woke(&memory)
+          woke(&memory)
     {
     }
 
@@ -42,7 +41,7 @@ struct EventBuffers
     std::pmr::vector<JointBreak> joint_break;
     std::pmr::vector<BodyId> fell_asleep;
     std::pmr::vector<BodyId> woke;
-    std::pmr::vector<BodyId> pending_woke;
+    int touching = 0; ///< contacts that touch, as the events have told it; sleeping ones too
 };
 
 ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world);

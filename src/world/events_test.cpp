@@ -244,11 +244,12 @@ TEST_F(EventsTest, AStepOfNoTimeTellsEventsToo)
 
 TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
 {
-    World pile;
+    World pile({.sleep = {.is_enabled = false}}); // sleepers do not persist
     pile.create_body({.type = BodyType::Static, .position = {0, -1}}, box(40, 2), {.persist_events = true});
     pile.create_body({.type = BodyType::Static}, box(5, 5), {.is_sensor = true, .persist_events = true});
     std::set<std::pair<ShapeId, ShapeId>> told;
     std::set<std::pair<ShapeId, ShapeId>> inside;
+    std::size_t most = 0;
     for (int i = 0; i < 200; ++i)
     {
         if (i < 60) pile.create_body({.position = {static_cast<float>(i % 5) - 2, 5}}, box(0.7f, 0.7f), {.persist_events = i % 2 == 0});
@@ -268,12 +269,13 @@ TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
             ASSERT_LT(event.shape_a.index, event.shape_b.index);
             ASSERT_TRUE(told.emplace(event.shape_a, event.shape_b).second) << "began twice";
         }
+        most = std::max(most, told.size());
         for (const SensorEvent& end : events.sensor_end) ASSERT_EQ(inside.erase({end.sensor, end.visitor}), 1u);
         for (const SensorEvent& event : events.sensor_begin) ASSERT_TRUE(inside.emplace(event.sensor, event.visitor).second);
         ASSERT_EQ(events.sensor_persist.size() + events.sensor_begin.size(), inside.size());
         for (const auto& [a, b] : told) ASSERT_TRUE(std::ranges::count(pile.shape(a).touching(), b) == 1);
     }
-    EXPECT_GT(told.size(), 20u);
+    EXPECT_GT(most, 40u) << "a pile";
 }
 
 TEST_F(SensorTest, AnOverlapPersistsAndEnds)

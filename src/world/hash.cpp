@@ -69,9 +69,11 @@ void add_bodies(Hasher& hasher, const detail::BodyStore& bodies)
         const detail::BodyRecord& body = bodies.records[slot];
         const detail::BodyPose& pose = bodies.poses[slot];
         const detail::BodyDrive& drive = bodies.drives[bodies.motion_index[slot]];
-        hasher.add_all(static_cast<int>(body.type), body.is_enabled, body.is_attractor, body.has_mass_override);
+        hasher.add_all(static_cast<int>(body.type), body.is_enabled, body.is_attractor, body.has_mass_override, body.is_asleep,
+                       body.can_sleep, body.is_bullet);
         hasher.add_all(body.locks.x, body.locks.y, body.locks.rotation, body.linear_damping, body.angular_damping, body.gravity_scale);
         hasher.add_all(body.mass, body.shapes_mass, body.color_mask, bodies.motion_index[slot], body.first_shape, body.first_contact);
+        hasher.add_all(body.island, body.next_in_island, bodies.watches[bodies.motion_index[slot]].rest_time);
         hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force,
                        drive.torque);
     }
@@ -103,7 +105,7 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
         if (!contact.is_live) continue;
         const detail::ContactManifold& manifold = contacts.manifolds[slot];
         hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.index_in_color, contact.is_touching);
-        hasher.add_all(contact.next[0], contact.next[1]);
+        hasher.add_all(contact.next[0], contact.next[1], contact.place_in_awake);
         hasher.add_all(contact.friction, contact.restitution, contact.rolling_resistance, contact.tangent_speed);
         hasher.add_all(manifold.count, manifold.normal, manifold.rolling_impulse, manifold.carried_impulse);
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
@@ -189,6 +191,7 @@ std::uint64_t World::hash() const
     hasher.add_all(world.step_count, world.gravity, world.last_substep);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
+    hasher.add_all(world.sleep.is_enabled, world.sleep.speed, world.sleep.time, world.is_continuous);
     add_bodies(hasher, world.bodies);
     add_shapes(hasher, world.shapes);
     add_contacts(hasher, world.contacts);

@@ -217,6 +217,7 @@ void Joint::set_spec(const JointSpec& spec)
         detail::usage_error("set_spec", "spec", static_cast<int>(spec.index()), "give one of the joint's own type, or make another joint");
     const bool is_same_shape = detail::shape_of(spec).key() == detail::shape_of(joint.spec).key();
     joint.spec = spec;
+    detail::wake_ends(*world_, joint);
     if (!is_same_shape) detail::forget_impulses(joint);
 }
 
@@ -228,6 +229,7 @@ void Joint::set_frames(const Transform& frame_a, const Transform& frame_b)
     detail::Joint& joint = world_->joints.joints[slot];
     joint.frame_a = frame_a;
     joint.frame_b = frame_b;
+    detail::wake_ends(*world_, joint);
     detail::forget_impulses(joint);
 }
 

@@ -2,6 +2,7 @@
 #include "world/edits.hpp"
 
 #include "memory/make_room.hpp"
+#include "world/sleep.hpp"
 
 namespace carom::detail
 {
@@ -33,6 +34,9 @@ void refresh_joint(WorldState& world, std::uint32_t slot)
     if (joint.is_active) return;
     world.joint_colors.add(slot, world.joints, world.bodies);
     joint.is_active = true;
+    if (joint.body_a == null_index) return;
+    const bool are_dynamic = world.bodies.is_dynamic(joint.body_a) && world.bodies.is_dynamic(joint.body_b);
+    if (are_dynamic) world.islands.link(joint.body_a, joint.body_b, world.bodies);
 }
 
 template <class Action>
@@ -65,6 +69,7 @@ void seek_pairs(WorldState& world, std::uint32_t body)
     if (!world.bodies.records[body].is_enabled) return;
     for (std::uint32_t s = world.bodies.records[body].first_shape; s != null_index; s = world.shapes.records[s].next_of_body)
         world.shapes.mark_moved(s);
+    world.must_review = true;
 }
 
 void apply_collide_connected(WorldState& world, const Joint& joint)
@@ -84,6 +89,12 @@ BodyId id_of(const WorldState& world, std::uint32_t body)
 
 } // namespace
 
+void wake_ends(WorldState& world, const Joint& joint)
+{
+    if (joint.body_a != null_index) wake_body(world, joint.body_a);
+    wake_body(world, joint.body_b);
+}
+
 std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSpec& spec)
 {
     Joint joint;
@@ -102,6 +113,7 @@ std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSp
     make_room(world.broken_joints, world.joints.joints.size() + 1);
     make_room(world.events.joint_break, world.joints.joints.size() + 1);
     const std::uint32_t slot = world.joints.create(joint, world.bodies);
+    wake_ends(world, joint);
     Rollback without_joint([&] { world.joints.destroy(slot, world.bodies); });
     refresh_joint(world, slot);
     without_joint.dismiss();
@@ -111,8 +123,10 @@ std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSp
 
 void destroy_joint(WorldState& world, std::uint32_t slot)
 {
-    retire_joint(world, slot);
     const Joint joint = world.joints.joints[slot];
+    wake_ends(world, joint);
+    if (joint.body_a != null_index) world.islands.unlink(joint.body_a, joint.body_b, world.bodies);
+    retire_joint(world, slot);
     world.joints.destroy(slot, world.bodies);
     if (!joint.collide_connected && joint.body_a != null_index) seek_pairs(world, joint.body_b);
 }
@@ -133,6 +147,7 @@ void set_collide_connected(WorldState& world, std::uint32_t slot, bool collide_c
     Joint& joint = world.joints.joints[slot];
     if (joint.collide_connected == collide_connected) return;
     joint.collide_connected = collide_connected;
+    wake_ends(world, joint);
     apply_collide_connected(world, joint);
 }
 

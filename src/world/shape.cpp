@@ -5,6 +5,7 @@
 #include "dynamics/narrow_phase.hpp"
 #include "geometry/validate.hpp"
 #include "world/edits.hpp"
+#include "world/sleep.hpp"
 #include "world/validate.hpp"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ void Shape::set_material(const Material& material)
     const std::uint32_t shape = editable(*world_, id_, "set_material");
     detail::validate(material, "set_material");
     world_->shapes.records[shape].material = material;
+    detail::wake_with_neighbors(*world_, world_->shapes.records[shape].body);
     for_each_contact(*world_, shape, [&](std::uint32_t slot) { detail::mix_materials(world_->contacts.contacts[slot], world_->shapes); });
 }
 
@@ -94,6 +96,8 @@ void Shape::set_filter(const Filter& filter)
     detail::ShapeRecord& record = world_->shapes.records[shape];
     if (record.filter == filter) return;
     record.filter = filter;
+    detail::wake_with_neighbors(*world_, record.body);
+    world_->must_review = true;
     for_each_contact(*world_, shape, [&](std::uint32_t slot)
     {
         const detail::Contact& contact = world_->contacts.contacts[slot];
@@ -109,6 +113,8 @@ void Shape::set_geometry(const Geometry& geometry)
     detail::validate(geometry, "set_geometry");
     detail::validate_density(geometry, world_->shapes.records[shape].density, "set_geometry");
     const std::uint32_t body = world_->shapes.records[shape].body;
+    detail::wake_with_neighbors(*world_, body);
+    detail::review_contacts(*world_, body);
     world_->shapes.geometry[shape] = geometry;
     if (world_->bodies.records[body].is_enabled)
         detail::renew_proxy(*world_, shape);
@@ -128,6 +134,7 @@ void Shape::set_density(float density)
     const std::uint32_t shape = editable(*world_, id_, "set_density");
     detail::validate_density(world_->shapes.geometry[shape], density, "set_density");
     world_->shapes.records[shape].density = density;
+    detail::wake_body(*world_, world_->shapes.records[shape].body);
     detail::refresh_mass(*world_, world_->shapes.records[shape].body);
 }
 

@@ -8,6 +8,7 @@
 #include "solver/integrate.hpp"
 #include "solver/softness.hpp"
 #include "world/edits.hpp"
+#include "world/sleep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,22 @@ namespace
 /// Takes contacts in and out of the solver, and out of the world, as their manifolds say.
 void apply_changes(WorldState& world)
 {
-    for (const std::uint32_t contact : world.changes.lost_points) world.colors.remove(contact, world.contacts, world.bodies);
+    for (const std::uint32_t contact : world.changes.lost_points)
+    {
+        const Contact& pair = world.contacts.contacts[contact];
+        world.colors.remove(contact, world.contacts, world.bodies);
+        world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
+    }
     for (const std::uint32_t contact : world.changes.separated) destroy_contact(world, contact);
-    for (const std::uint32_t contact : world.changes.gained_points) world.colors.add(contact, world.contacts, world.bodies);
+    for (const std::uint32_t contact : world.changes.gained_points)
+    {
+        const Contact& pair = world.contacts.contacts[contact];
+        wake_body(world, pair.body_a);
+        wake_body(world, pair.body_b);
+        world.colors.add(contact, world.contacts, world.bodies);
+        if (world.bodies.is_dynamic(pair.body_a) && world.bodies.is_dynamic(pair.body_b))
+            world.islands.link(pair.body_a, pair.body_b, world.bodies);
+    }
 }
 
 void disable_not_finite(WorldState& world)
@@ -98,13 +112,13 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
     }
     {
         StageTimer timer(report, Stage::StoreImpulses);
-        solver.store_impulses(world.contacts);
+        solver.store_impulses(world.contacts, bodies.watches);
         joints.store_impulses(bodies.motions, world.joints, 1 / dt);
         break_joints(world);
     }
     {
         StageTimer timer(report, Stage::FinalizeBodies);
-        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.not_finite);
+        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, world.not_finite);
         disable_not_finite(world);
     }
     world.last_substep = h;
@@ -133,6 +147,8 @@ StepReport step(WorldState& world, float dt, int substeps)
     const std::size_t allocations_before = world.memory.allocations();
     world.quarantined.clear();
     world.events.joint_break.clear();
+    world.events.fell_asleep.clear();
+    world.events.woke.clear();
     {
         StageTimer timer(report, Stage::FindPairs);
         find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.found_pairs);
@@ -146,6 +162,13 @@ StepReport step(WorldState& world, float dt, int substeps)
     {
         StageTimer timer(report, Stage::EmitEvents);
         report.contacts = emit_events(world.contacts, world.shapes, world.world, world.events);
+    }
+    report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
+    report.islands = static_cast<int>(world.islands.awake().size());
+    if (dt > 0)
+    {
+        StageTimer timer(report, Stage::Sleep);
+        put_islands_to_sleep(world);
     }
     ++world.step_count;
     count(world, allocations_before, report);

@@ -61,6 +61,7 @@ void validate(const WorldDef& def, std::string_view function)
 {
     require_within(function, "gravity", def.gravity, max_factor);
     validate(def.solver, function);
+    validate(def.sleep, function);
     validate(def.broad_phase, def.broad_phase_options, function);
     constexpr int most = 1 << 24;
     require_range(function, "capacity.bodies", def.capacity.bodies, 0, most);
@@ -76,6 +77,12 @@ void validate(const SolverTuning& tuning, std::string_view function)
     require_range(function, "solver.restitution_threshold", tuning.restitution_threshold, 0, max_factor);
     require_range(function, "solver.joint_hertz", tuning.joint_hertz, 0.01f, max_factor);
     require_range(function, "solver.joint_damping_ratio", tuning.joint_damping_ratio, 0, max_factor);
+}
+
+void validate(const SleepTuning& tuning, std::string_view function)
+{
+    require_range(function, "sleep.speed", tuning.speed, 0, max_factor);
+    require_range(function, "sleep.time", tuning.time, 0, max_factor);
 }
 
 void validate(BroadPhaseType type, const BroadPhaseOptions& options, std::string_view function)

@@ -26,6 +26,7 @@ void validate(const BodyDef& def, std::string_view function);
 void validate(const ShapeDef& def, std::string_view function);
 void validate(const Material& material, std::string_view function);
 void validate(const Field& field, std::string_view function);
+void validate(const SleepTuning& tuning, std::string_view function);
 void validate(const SolverTuning& tuning, std::string_view function);
 void validate(const WorldState& world, const JointDef& def, std::string_view function);
 void validate(const JointSpec& spec, std::string_view function);

@@ -4,6 +4,7 @@
 #include "geometry/validate.hpp"
 #include "memory/make_room.hpp"
 #include "world/edits.hpp"
+#include "world/sleep.hpp"
 #include "world/step.hpp"
 #include "world/validate.hpp"
 #include "world/world_state.hpp"
@@ -182,7 +183,9 @@ void World::set_gravity(Vec2 gravity)
     WorldState& world = state();
     require_idle(world, "set_gravity");
     detail::require_within("set_gravity", "gravity", gravity, detail::max_factor);
+    if (world.gravity == gravity) return;
     world.gravity = gravity;
+    detail::wake_all(world);
 }
 
 FieldId World::add_field(const Field& field)
@@ -192,6 +195,7 @@ FieldId World::add_field(const Field& field)
     detail::validate(field, "add_field");
     detail::make_room(world.fields.fields, world.fields.fields.size() + 1);
     const std::uint32_t slot = world.fields.slots.acquire();
+    detail::wake_all(world);
     if (slot == world.fields.fields.size())
         world.fields.fields.push_back(field);
     else
@@ -205,6 +209,8 @@ void World::set_field(FieldId id, const Field& field)
     require_idle(world, "set_field");
     const std::uint32_t slot = detail::require_field(world, id, "set_field");
     detail::validate(field, "set_field");
+    if (world.fields.fields[slot] == field) return;
+    detail::wake_all(world);
     world.fields.fields[slot] = field;
 }
 
@@ -213,6 +219,7 @@ void World::remove_field(FieldId id)
     WorldState& world = state();
     require_idle(world, "remove_field");
     world.fields.slots.release(detail::require_field(world, id, "remove_field"));
+    detail::wake_all(world);
 }
 
 Vec2 World::gravity_at(Vec2 point) const
@@ -285,6 +292,33 @@ void World::set_solver_tuning(const SolverTuning& tuning)
     detail::validate(tuning, "set_solver_tuning");
     world.tuning = tuning;
 }
+
+SleepTuning World::sleep_tuning() const { return state().sleep; }
+
+void World::set_sleep_tuning(const SleepTuning& tuning)
+{
+    WorldState& world = state();
+    require_idle(world, "set_sleep_tuning");
+    detail::validate(tuning, "set_sleep_tuning");
+    world.sleep = tuning;
+    if (!tuning.is_enabled) detail::wake_all(world);
+}
+
+void World::wake_all()
+{
+    require_idle(state(), "wake_all");
+    detail::wake_all(state());
+}
+
+bool World::is_continuous() const { return state().is_continuous; }
+
+void World::set_continuous(bool continuous)
+{
+    require_idle(state(), "set_continuous");
+    state().is_continuous = continuous;
+}
+
+int World::awake_body_count() const { return static_cast<int>(state().bodies.motions.size()) - 1; }
 
 int World::body_count() const { return state().bodies.slots.live_count(); }
 

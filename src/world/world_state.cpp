@@ -23,12 +23,15 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       world(next_world_number()),
       gravity(def.gravity),
       tuning(def.solver),
+      sleep(def.sleep),
+      is_continuous(def.continuous),
       broad_phase_options(def.broad_phase_options),
       fields(memory),
       bodies(memory),
       shapes(memory),
       contacts(memory),
       joints(memory),
+      islands(memory),
       pairs(memory),
       broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory)),
       colors(memory),
@@ -43,6 +46,9 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       broken_joints(&memory),
       field_forces(memory)
 {
+    islands.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
+    events.fell_asleep.reserve(static_cast<std::size_t>(def.capacity.bodies));
+    events.woke.reserve(static_cast<std::size_t>(def.capacity.bodies));
     bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));
     shapes.reserve(static_cast<std::size_t>(def.capacity.shapes));
     contacts.reserve(static_cast<std::size_t>(def.capacity.contacts));

@@ -5,6 +5,7 @@
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
+#include "dynamics/island_store.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "dynamics/shape_store.hpp"
@@ -39,6 +40,8 @@ struct WorldState
     // What the user set.
     Vec2 gravity;
     SolverTuning tuning;
+    SleepTuning sleep;
+    bool is_continuous = true;
     BroadPhaseOptions broad_phase_options;
     FieldStore fields;
 
@@ -47,10 +50,13 @@ struct WorldState
     ShapeStore shapes;
     ContactStore contacts;
     JointStore joints;
+    IslandStore islands;
     PairSet pairs; ///< of the contacts
     BroadPhasePtr broad_phase;
     ContactColors colors;
     JointColors joint_colors;
+
+    bool must_review = false; ///< an edit may have left contacts awake of which no body is
 
     // What a step leaves behind.
     EventBuffers events;

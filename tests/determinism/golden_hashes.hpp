@@ -16,12 +16,12 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0x280fd70436ef2dec},
-    SceneHash{"triggers", 0xb73c363253cd4a89},
-    SceneHash{"collisions", 0xc445f83f94e9fca3},
-    SceneHash{"gravity", 0xc45ddd19111a7e02},
+    SceneHash{"planets", 0x6372402b42b342aa},
+    SceneHash{"triggers", 0xdd748a15be11db95},
+    SceneHash{"collisions", 0xa4fba7a6c8a6ace6},
+    SceneHash{"gravity", 0x1d69b58ad4a2c95e},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x671f9b48bb039ebd;
+inline constexpr std::uint64_t mixed_world = 0xf53d9896bde015d8;
 
 } // namespace carom::golden
