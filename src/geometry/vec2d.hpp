@@ -1,4 +1,4 @@
-// Vectors in double precision, for work that is done once when a shape is made and that must not lose digits.
+// Vectors in double precision, for work that must not lose digits: making shapes, and casting over long ways.
 #pragma once
 
 #include <carom/math.hpp>
@@ -20,10 +20,14 @@ struct Vec2d
 
 constexpr Vec2d operator+(Vec2d a, Vec2d b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2d operator-(Vec2d a) { return {-a.x, -a.y}; }
 constexpr Vec2d operator*(double s, Vec2d a) { return {s * a.x, s * a.y}; }
 constexpr double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 constexpr double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
+/// w e_z x a.
+constexpr Vec2d cross(double w, Vec2d a) { return {-w * a.y, w * a.x}; }
 constexpr Vec2d right_perp(Vec2d a) { return {a.y, -a.x}; }
+constexpr Vec2d rotated(Rot q, Vec2d v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 inline double length(Vec2d a) { return std::sqrt(dot(a, a)); }
 /// @param a not (0, 0)
 inline Vec2d unit(Vec2d a) { return (1 / length(a)) * a; }
