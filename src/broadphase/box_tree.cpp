@@ -1,6 +1,9 @@
 // Keeping a tree of boxes up to date, and building it anew.
 #include "broadphase/box_tree.hpp"
 
+#include "memory/make_room.hpp"
+#include "memory/rollback.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -150,7 +153,9 @@ void BoxTree::rebuild()
     degraded_count_ = 0;
     std::fill(touched_.begin(), touched_.end(), std::uint64_t{0}); // what they name is gone, also when nothing follows
     if (waiting_.empty()) return;
+    Rollback all_wait([this] { abandon(0); });
     add_node(none, false);
+    all_wait.dismiss();
     build_part(0);
     young_begin_ = static_cast<std::uint32_t>(nodes_.size());
 }
@@ -162,13 +167,15 @@ void BoxTree::rebuild_young()
     for (std::size_t i = young_begin_; i < nodes_.size(); ++i) degraded_count_ -= nodes_[i].is_degraded;
     nodes_.resize(young_begin_);
     boxes_.resize(young_begin_);
+    forget_touched(young_begin_); // what they name is gone, also when memory runs out below
     young_count_ = static_cast<std::uint32_t>(waiting_.size());
     build_part(1);
 }
 
-/// Puts the proxies of the nodes from `first_node` on to the waiting ones.
+/// Puts the proxies of the nodes from `first_node` on to the waiting ones. Changes nothing when memory runs out.
 void BoxTree::collect(std::uint32_t first_node)
 {
+    make_room(waiting_, waiting_.size() + 4 * (nodes_.size() - first_node));
     for (std::uint32_t i = first_node; i < nodes_.size(); ++i)
     {
         if (!nodes_[i].is_leaf) continue;
@@ -181,12 +188,14 @@ void BoxTree::collect(std::uint32_t first_node)
 void BoxTree::build_part(unsigned root_lane)
 {
     const auto begin = static_cast<std::uint32_t>(nodes_.size());
+    Rollback all_wait([&] { abandon(root_lane == 0 ? 0 : begin); });
     items_.clear();
     for (std::uint32_t i = 0; i < waiting_.size(); ++i) items_.push_back(build_item(waiting_[i].box, i));
     build_node(root_lane, items_);
+    if (touched_.size() < nodes_.size() / 64 + 1) touched_.resize(nodes_.size() / 64 + 1);
+    all_wait.dismiss();
     waiting_.clear();
 
-    if (touched_.size() < nodes_.size() / 64 + 1) touched_.resize(nodes_.size() / 64 + 1);
     for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > begin;)
     {
         nodes_[i].built_perimeter = merge4(boxes_[i]).perimeter();
@@ -195,7 +204,25 @@ void BoxTree::build_part(unsigned root_lane)
     forget_touched(begin);
 }
 
-/// The bits of nodes that were just built, and of those that stood there before.
+/// Takes back a build that memory did not suffice for: what was to be built waits.
+void BoxTree::abandon(std::uint32_t first_node)
+{
+    nodes_.resize(first_node);
+    boxes_.resize(first_node);
+    young_count_ = 0;
+    if (first_node == 0)
+    {
+        old_count_ = 0;
+    }
+    else
+    {
+        nodes_[0].child[1] = none;
+        set_box(boxes_[0], 1, empty_box);
+    }
+    for (std::uint32_t i = 0; i < waiting_.size(); ++i) place_of_[waiting_[i].proxy] = waiting_bit | i;
+}
+
+/// The bits of nodes that were just built, or that are gone.
 void BoxTree::forget_touched(std::uint32_t first_node)
 {
     const std::size_t word = first_node / 64;

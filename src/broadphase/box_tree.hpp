@@ -41,7 +41,7 @@ public:
     void remove(ProxyIndex proxy);
     void update(ProxyIndex proxy, const Aabb& box);
 
-    /// Takes in what was inserted. Forgets who moved.
+    /// Takes in what was inserted. Forgets who moved. Should memory run out, everything waits that was to be built, and the tree is sound.
     void settle();
     /// Marks one as moved. All must be settled.
     void mark_moved(ProxyIndex proxy);
@@ -61,17 +61,20 @@ public:
     const Box4& boxes(std::uint32_t node) const { return boxes_[node]; }
     const TreeNode& node(std::uint32_t node) const { return nodes_[node]; }
 
-private:
+    /// Inserted and not settled yet.
     struct Entry
     {
         Aabb box;
         ProxyIndex proxy;
     };
+    std::span<const Entry> waiting() const { return waiting_; }
 
+private:
     /// To be refit.
     void touch(std::uint32_t node) { touched_[node / 64] |= std::uint64_t{1} << node % 64; }
     void refit_node(std::uint32_t node);
     void rebuild_young();
+    void abandon(std::uint32_t first_node);
     void collect(std::uint32_t first_node);
     void build_part(unsigned root_lane);
     void forget_touched(std::uint32_t first_node);

@@ -1,5 +1,8 @@
-// What every broad phase does: keep the boxes of shapes, and find the pairs that came to overlap.
+// What every broad phase does: keep the boxes of shapes, find the pairs that came to overlap, and answer queries.
 #pragma once
+
+#include "broadphase/box_sweep.hpp"
+#include "broadphase/query_gate.hpp"
 
 #include <carom/broad_phase.hpp>
 #include <carom/math.hpp>
@@ -48,6 +51,28 @@ struct BroadPhaseNode
     int depth = 0; ///< the root has 0
 };
 
+/// Sees the boxes that a query meets, in an order that is the implementation's own.
+class BoxVisitor
+{
+public:
+    /// @return false to end the query
+    virtual bool visit(ProxyIndex proxy) = 0;
+
+protected:
+    ~BoxVisitor() = default;
+};
+
+/// Sees the boxes that a sweep may meet, roughly from the near to the far.
+class SweepVisitor
+{
+public:
+    /// @return the fraction of the sweep up to which boxes still matter, not more than before; negative to end the query
+    virtual float visit(ProxyIndex proxy) = 0;
+
+protected:
+    ~SweepVisitor() = default;
+};
+
 /// Keeps the (fattened) boxes of proxies. The boxes are any finite ones: huge, empty of area, all negative.
 /// After its arrays have grown to the size of the work, no call allocates (but QuadtreeNaive's, whose set makes a node a pair).
 class BroadPhase
@@ -68,13 +93,42 @@ public:
     /// @param moved   in any order, without repetition, all of them in; may hold Static ones (they were inserted or teleported)
     virtual void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) = 0;
 
+    // Queries see the boxes as they are at the moment, whether or not find_pairs was called since. Several threads may query at once, while
+    // nobody changes anything. They are not const because the first one after a change brings the structure up to date; it costs no
+    // more than what changed, and what is new is built in when it has become much. Only that may allocate, and a query that runs out of memory there has
+    // changed nothing.
+
+    /// Visits every proxy whose box shares at least a point with the given one, each once.
+    void query(const Aabb& box, BoxVisitor& visitor)
+    {
+        gate_.pass([this] { prepare_queries(); });
+        visit_boxes(box, visitor);
+    }
+
+    /// Visits every proxy whose box the sweep meets (`sweep.meets`) up to the fraction that still matters, each once.
+    void query(const BoxSweep& sweep, SweepVisitor& visitor)
+    {
+        gate_.pass([this] { prepare_queries(); });
+        visit_sweep(sweep, visitor);
+    }
+
     /// Appends the nodes as they are after the last find_pairs; nothing when there are none to show.
     virtual void list_nodes(std::vector<BroadPhaseNode>& nodes) const = 0;
 
     BroadPhaseStats stats() const { return stats_; }
 
 protected:
+    /// Called by everything that changes a box.
+    void close_queries() { gate_.close(); }
+
     BroadPhaseStats stats_;
+
+private:
+    virtual void prepare_queries() = 0;
+    virtual void visit_boxes(const Aabb& box, BoxVisitor& visitor) const = 0;
+    virtual void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const = 0;
+
+    QueryGate gate_;
 };
 
 /// Makes one; it takes all its memory from `memory`, itself included.

@@ -19,6 +19,10 @@ public:
     void list_nodes(std::vector<BroadPhaseNode>&) const override {}
 
 private:
+    void prepare_queries() override {}
+    void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override { visit_all(table_, box, visitor); }
+    void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override { visit_all(table_, sweep, visitor); }
+
     ProxyTable table_;
 };
 

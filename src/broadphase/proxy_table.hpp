@@ -47,6 +47,8 @@ public:
         for (const ProxyIndex proxy : proxies) entries_[place_of_[proxy]].is_moved = is_moved;
     }
 
+    bool holds(ProxyIndex proxy) const { return proxy < place_of_.size() && place_of_[proxy] != absent; }
+    const Entry& entry_of(ProxyIndex proxy) const { return entries_[place_of_[proxy]]; }
     std::span<const Entry> entries() const { return entries_; }
     std::uint32_t place_of(ProxyIndex proxy) const { return place_of_[proxy]; }
 
@@ -56,6 +58,23 @@ private:
     std::pmr::vector<Entry> entries_;
     std::pmr::vector<std::uint32_t> place_of_; ///< by proxy
 };
+
+/// Queries that look at every box.
+inline void visit_all(const ProxyTable& table, const Aabb& box, BoxVisitor& visitor)
+{
+    for (const ProxyTable::Entry& entry : table.entries())
+        if (overlaps(entry.box, box) && !visitor.visit(entry.proxy)) return;
+}
+
+inline void visit_all(const ProxyTable& table, const BoxSweep& sweep, SweepVisitor& visitor)
+{
+    float most = 1;
+    for (const ProxyTable::Entry& entry : table.entries())
+    {
+        if (sweep.meets(entry.box, most).is_met) most = visitor.visit(entry.proxy);
+        if (most < 0) return;
+    }
+}
 
 /// True when the two may be reported as a pair, were their boxes to overlap.
 inline bool is_candidate(const ProxyTable::Entry& a, const ProxyTable::Entry& b)

@@ -17,7 +17,8 @@ Quadtree::Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& 
       keys_scratch_(&memory),
       sorted_(&memory),
       nodes_(&memory),
-      directory_(&memory)
+      directory_(&memory),
+      changed_(memory)
 {
 }
 
@@ -26,8 +27,7 @@ void Quadtree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<Pr
     const std::size_t pairs_before = pairs.size();
     stats_ = {};
     table_.set_moved(moved, true);
-    sort_by_node();
-    build();
+    build_all();
     for (const Node& node : nodes_)
     {
         if (!node.has_moved) continue;
@@ -38,6 +38,43 @@ void Quadtree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<Pr
     table_.set_moved(moved, false);
     stats_.nodes = nodes_.size();
     stats_.pairs_found = pairs.size() - pairs_before;
+}
+
+void Quadtree::insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind)
+{
+    changed_.reserve(proxy);
+    table_.insert(proxy, box, kind);
+    note_change(proxy);
+}
+
+void Quadtree::remove(ProxyIndex proxy)
+{
+    table_.remove(proxy);
+    note_change(proxy);
+}
+
+void Quadtree::update(ProxyIndex proxy, const Aabb& box)
+{
+    table_.update(proxy, box);
+    note_change(proxy);
+}
+
+void Quadtree::note_change(ProxyIndex proxy)
+{
+    changed_.note(proxy);
+    close_queries();
+}
+
+void Quadtree::build_all()
+{
+    // Should memory run out below, an empty tree in which everything has changed stands.
+    for (const Node& node : nodes_)
+        if (node.index < directory_.size()) directory_[node.index] = absent;
+    nodes_.clear();
+    for (const Entry& entry : table_.entries()) changed_.note(entry.proxy);
+    sort_by_node();
+    build();
+    changed_.clear();
 }
 
 /// Two shapes overlap only if their ranges of cells share one; the nodes that hold the ranges both hold that cell, so one of them is the
@@ -67,8 +104,6 @@ void Quadtree::sort_by_node()
 
 void Quadtree::build()
 {
-    for (const Node& node : nodes_) directory_[node.index] = absent;
-    nodes_.clear();
     if (!sorted_.empty()) build_node(0, 0, 0, static_cast<std::uint32_t>(sorted_.size()));
 }
 
@@ -77,8 +112,8 @@ void Quadtree::build()
 std::uint32_t Quadtree::build_node(std::uint32_t index, int depth, std::uint32_t begin, std::uint32_t end)
 {
     const auto place = static_cast<std::uint32_t>(nodes_.size());
-    enlist(index, place);
     nodes_.push_back({sorted_[begin].box, index, begin, end, end, false});
+    enlist(index, place);
     Node node = nodes_.back();
     if (end - begin > node_capacity_ && depth < max_depth_)
     {
@@ -112,6 +147,59 @@ void Quadtree::enlist(std::uint32_t index, std::uint32_t place)
 {
     if (index >= directory_.size()) directory_.resize(quadtree::node_count(quadtree::depth_of(index)), absent);
     directory_[index] = place;
+}
+
+/// Each change costs a look at one more box; from some point on, building all anew is cheaper.
+void Quadtree::prepare_queries()
+{
+    constexpr std::size_t few = 64;
+    constexpr std::size_t share = 16;
+    if (changed_.list().size() > std::max(few, table_.entries().size() / share)) build_all();
+}
+
+/// @param may_hold by a node's bounds, whether anything below it is to be visited
+/// @param visit    an entry of the tree; returns false to end
+template <class MayHold, class Visit>
+void Quadtree::walk(MayHold may_hold, Visit visit) const
+{
+    if (nodes_.empty()) return;
+    std::array<std::uint32_t, 4 * quadtree::deepest> stack; // at most three siblings wait at each depth
+    std::size_t stack_size = 0;
+    stack[stack_size++] = 0; // the root is the first node
+    while (stack_size > 0)
+    {
+        const Node& node = nodes_[stack[--stack_size]];
+        if (!may_hold(node.bounds)) continue;
+        for (std::uint32_t i = node.begin; i < node.own_end; ++i)
+            if (!changed_.holds(sorted_[i].proxy) && !visit(sorted_[i])) return;
+        if (node.own_end == node.end) continue;
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
+        {
+            const std::uint32_t place = place_of(quadtree::child_of(node.index, quadrant));
+            if (place != absent) stack[stack_size++] = place;
+        }
+    }
+}
+
+void Quadtree::visit_boxes(const Aabb& box, BoxVisitor& visitor) const
+{
+    const auto visit = [&](const Entry& entry) { return !overlaps(entry.box, box) || visitor.visit(entry.proxy); };
+    for (const ProxyIndex proxy : changed_.list())
+        if (table_.holds(proxy) && !visit(table_.entry_of(proxy))) return;
+    walk([&box](const Aabb& bounds) { return overlaps(bounds, box); }, visit);
+}
+
+void Quadtree::visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const
+{
+    float most = 1;
+    const auto visit = [&](const Entry& entry)
+    {
+        if (sweep.meets(entry.box, most).is_met) most = visitor.visit(entry.proxy);
+        return most >= 0;
+    };
+    for (const ProxyIndex proxy : changed_.list())
+        if (table_.holds(proxy) && !visit(table_.entry_of(proxy))) return;
+    walk([&](const Aabb& bounds) { return sweep.meets(bounds, most).is_met; }, visit);
 }
 
 /// Pairs among the node's own shapes.

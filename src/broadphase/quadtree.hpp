@@ -1,6 +1,7 @@
 // A flat quadtree: children of node i at 4i+1..4i+4, a shape once in the deepest node that holds it.
 #pragma once
 
+#include "broadphase/changed_proxies.hpp"
 #include "broadphase/proxy_table.hpp"
 #include "broadphase/radix_sort.hpp"
 
@@ -15,9 +16,9 @@ public:
     Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& memory);
 
     BroadPhaseType type() const override { return BroadPhaseType::Quadtree; }
-    void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override { table_.insert(proxy, box, kind); }
-    void remove(ProxyIndex proxy) override { table_.remove(proxy); }
-    void update(ProxyIndex proxy, const Aabb& box) override { table_.update(proxy, box); }
+    void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
+    void remove(ProxyIndex proxy) override;
+    void update(ProxyIndex proxy, const Aabb& box) override;
     void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
 
@@ -35,6 +36,14 @@ private:
         bool has_moved; ///< in the subtree
     };
 
+    void prepare_queries() override;
+    void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override;
+    void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override;
+    void note_change(ProxyIndex proxy);
+    template <class MayHold, class Visit>
+    void walk(MayHold may_hold, Visit visit) const;
+
+    void build_all();
     void sort_by_node();
     void build();
     std::uint32_t build_node(std::uint32_t index, int depth, std::uint32_t begin, std::uint32_t end);
@@ -57,6 +66,7 @@ private:
     /// The flat tree: for each node its place in `nodes_`. Only as long as the deepest node that was ever in use asks for, and four bytes
     /// a node: with depth 10 there are 1.4 million.
     std::pmr::vector<std::uint32_t> directory_;
+    ChangedProxies changed_; ///< since the tree was built
 };
 
 } // namespace carom::detail

@@ -8,7 +8,8 @@
 namespace carom::detail
 {
 
-/// Kept for the laboratory: the distance from here to `Quadtree` is what layout and "a shape once" are worth.
+/// Kept for the laboratory: the distance from here to `Quadtree` is what layout and "a shape once" are worth. Its nodes stand only for the
+/// time of a search for pairs; queries look at every box.
 class QuadtreeNaive final : public BroadPhase
 {
 public:
@@ -22,6 +23,10 @@ public:
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
 
 private:
+    void prepare_queries() override {}
+    void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override { visit_all(table_, box, visitor); }
+    void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override { visit_all(table_, sweep, visitor); }
+
     struct Node
     {
         explicit Node(const std::pmr::polymorphic_allocator<>& allocator) : shapes(allocator) {}

@@ -16,12 +16,16 @@ public:
 
     BroadPhaseType type() const override { return BroadPhaseType::Tree; }
     void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
-    void remove(ProxyIndex proxy) override { tree_of(proxy).remove(proxy); }
-    void update(ProxyIndex proxy, const Aabb& box) override { tree_of(proxy).update(proxy, box); }
+    void remove(ProxyIndex proxy) override;
+    void update(ProxyIndex proxy, const Aabb& box) override;
     void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
 
 private:
+    void prepare_queries() override;
+    void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override;
+    void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override;
+
     BoxTree& tree_of(ProxyIndex proxy) { return moving_.holds(proxy) ? moving_ : static_; }
     void mark_and_refit(std::span<const ProxyIndex> moved);
 

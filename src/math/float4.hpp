@@ -45,6 +45,16 @@ inline Float4 min4(Float4 a, Float4 b)
 #endif
 }
 
+/// Lane by lane the larger; where a lane of either is not a number, that of b.
+inline Float4 max4(Float4 a, Float4 b)
+{
+#if defined(__SSE2__)
+    return reinterpret_cast<Float4>(_mm_max_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)));
+#else
+    return a > b ? a : b;
+#endif
+}
+
 inline Float4 sqrt4(Float4 v)
 {
 #if defined(__SSE2__)

@@ -1,31 +1,11 @@
 // Changes to a world between steps. The arguments are checked already; see validate.hpp.
 #pragma once
 
+#include "memory/rollback.hpp"
 #include "world/world_state.hpp"
-
-#include <utility>
 
 namespace carom::detail
 {
-
-/// Undoes the first half of a change when the second half fails, as by running out of memory.
-template <class Undo>
-class Rollback
-{
-public:
-    explicit Rollback(Undo undo) : undo_(std::move(undo)) {}
-    Rollback(const Rollback&) = delete;
-    Rollback& operator=(const Rollback&) = delete;
-    ~Rollback()
-    {
-        if (is_armed_) undo_();
-    }
-    void dismiss() { is_armed_ = false; }
-
-private:
-    Undo undo_;
-    bool is_armed_ = true;
-};
 
 std::uint32_t create_body(WorldState& world, const BodyDef& def);
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
