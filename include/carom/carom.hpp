@@ -10,6 +10,7 @@
 #include <carom/ids.hpp>
 #include <carom/joint.hpp>
 #include <carom/math.hpp>
+#include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
 #include <carom/version.hpp>

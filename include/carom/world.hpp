@@ -8,6 +8,7 @@
 #include <carom/events.hpp>
 #include <carom/fields.hpp>
 #include <carom/joint.hpp>
+#include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
 
@@ -69,7 +70,7 @@ struct WorldDef
 /// A simulation. Worlds know nothing of each other; one world is used by one thread at a time. Every call that changes a world
 /// throws UsageError on a bad argument, and then nothing has changed. So it is when the memory resource throws in a call that
 /// creates a body or a field. A step that the memory resource stops leaves a world that can be read and destroyed; changing it throws
-/// UsageError. Lengths are in metres, masses in kilograms, times in
+/// UsageError, and so does querying it. Lengths are in metres, masses in kilograms, times in
 /// seconds, angles in radians.
 class World
 {
@@ -131,6 +132,48 @@ public:
     /// The contact points between two shapes as of the last step, its normal from `a` to `b`; no points when they are apart. Impulses
     /// are those on `b`.
     Manifold manifold(ShapeId a, ShapeId b) const;
+
+    // Queries. All see the bodies where they are now, whatever was edited since the last step. Their results depend neither on the broad phase nor
+    // on the order in which it looks; what is equally near is ordered by the shape's index. Several threads may query one world at once as long as
+    // nobody changes or steps it. During a step they throw UsageError, and so they do on a point or a shape that is not finite or beyond
+    // max_coordinate, on a sweep longer than twice that along an axis, and in a world whose memory resource failed during a step. Points and
+    // sweeps are in metres.
+
+    /// The first shape that a ray meets; see CastHit for rays that start inside of one or on its surface.
+    std::optional<RayHit> cast_ray(Vec2 start, Vec2 sweep, const QueryFilter& filter = {}) const;
+    /// True when the ray meets anything: cheaper than to ask for the first.
+    bool is_ray_blocked(Vec2 start, Vec2 sweep, const QueryFilter& filter = {}) const;
+    /// Every shape that the ray meets, where it enters it, ordered by fraction and then by index.
+    std::vector<RayHit> cast_ray_all(Vec2 start, Vec2 sweep, const QueryFilter& filter = {}) const;
+    /// Many rays at once.
+    /// @param hits as many as rays: each gets what cast_ray would return
+    void cast_rays(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits, const QueryFilter& filter = {}) const;
+
+    /// The first shape that a shape meets when it moves along `sweep` without turning.
+    /// @param start the frame of `geometry` at the start; q a unit rotation
+    std::optional<CastHit> cast_shape(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter = {}) const;
+    /// @param radius from 1 mm to max_coordinate [m]
+    std::optional<CastHit> cast_circle(Vec2 center, float radius, Vec2 sweep, const QueryFilter& filter = {}) const;
+    /// Every shape that it meets, ordered by fraction and then by index.
+    std::vector<CastHit> cast_shape_all(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter = {}) const;
+
+    /// The shapes whose bounds share a point with the box, ordered by index. Quick and coarse: their outlines may lie outside.
+    std::vector<ShapeId> overlapping(const Aabb& box, const QueryFilter& filter = {}) const;
+    /// The shapes that overlap a shape, or are within 5 um of it, ordered by index.
+    std::vector<ShapeId> overlapping(const Geometry& geometry, const Transform& transform, const QueryFilter& filter = {}) const;
+    /// The shapes in which a point lies, or on whose edge, ordered by index. A segment holds no point but those that lie on it exactly.
+    std::vector<ShapeId> shapes_at(Vec2 point, const QueryFilter& filter = {}) const;
+    // The same, shape by shape and without allocating. The visitor must not change the world.
+    void visit_overlapping(const Aabb& box, ShapeVisitor visit, const QueryFilter& filter = {}) const;
+    void visit_overlapping(const Geometry& geometry, const Transform& transform, ShapeVisitor visit, const QueryFilter& filter = {}) const;
+    void visit_shapes_at(Vec2 point, ShapeVisitor visit, const QueryFilter& filter = {}) const;
+
+    /// The nearest point of any shape, as far as max_distance [m], >= 0.
+    std::optional<NearestPoint> closest_point(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
+
+    /// Pushes what is around; see ExplosionDef.
+    /// @return number of shapes that were pushed
+    int explode(const ExplosionDef& def);
 
     // The broad phase.
     BroadPhaseType broad_phase() const;

@@ -44,17 +44,6 @@ Polygon moved(const Polygon& polygon, const Transform& transform, std::string_vi
     return detail::polygon_from_corners({corners.data(), count}, polygon.radius, function);
 }
 
-void check_transform(std::string_view function, const Transform& transform)
-{
-    detail::require_within(function, "transform.p", transform.p, max_coordinate);
-    const Rot q = transform.q;
-    const float length2 = q.c * q.c + q.s * q.s;
-    if (!(length2 > 0.999f && length2 < 1.001f))
-    {
-        detail::usage_error(function, "transform.q", Vec2{q.c, q.s}, "give a unit rotation, as rotation() makes");
-    }
-}
-
 Aabb bounds_around(Vec2 a, Vec2 b, float radius) { return expanded({min(a, b), max(a, b)}, radius); }
 
 Aabb bounds_of(const Polygon& polygon, const Transform& transform)
@@ -123,7 +112,7 @@ Polygon offset_box(float width, float height, Vec2 center, float angle)
 Geometry transformed(const Geometry& geometry, const Transform& transform)
 {
     detail::validate(geometry, "transformed");
-    check_transform("transformed", transform);
+    detail::validate(transform, "transformed", "transform");
     if (const Polygon* p = std::get_if<Polygon>(&geometry)) return moved(*p, transform, "transformed");
 
     Geometry result = geometry;

@@ -178,6 +178,16 @@ void validate(const Geometry& geometry, std::string_view function)
     }
 }
 
+void validate(const Transform& transform, std::string_view function, std::string_view field)
+{
+    const Vec2 p = transform.p;
+    if (!is_within_reach(p)) require_within(function, std::string(field) + ".p", p, max_coordinate);
+    const Rot q = transform.q;
+    const float length2 = q.c * q.c + q.s * q.s;
+    if (length2 > 0.999f && length2 < 1.001f) return;
+    usage_error(function, std::string(field) + ".q", Vec2{q.c, q.s}, "give a unit rotation, as rotation() makes");
+}
+
 void require_vertex_count(const Polygon& polygon, std::string_view function)
 {
     if (polygon.count < 3 || polygon.count > max_polygon_vertices) [[unlikely]]

@@ -24,6 +24,10 @@ void validate(const Capsule& capsule, std::string_view function, std::string_vie
 void validate(const Segment& segment, std::string_view function, std::string_view prefix);
 void validate(const Polygon& polygon, std::string_view function, std::string_view prefix);
 
+/// A place within max_coordinate, and a unit rotation.
+/// @param field the argument's name
+void validate(const Transform& transform, std::string_view function, std::string_view field);
+
 /// Only what keeps loops within the arrays; for calls that are too frequent for a full check.
 /// @throws UsageError
 void require_vertex_count(const Polygon& polygon, std::string_view function);

@@ -37,6 +37,14 @@ void require_idle(const WorldState& world, std::string_view function)
         usage_error(function, "world", std::string_view("broken"), "destroy it: its memory resource failed during a step");
 }
 
+void require_queryable(const WorldState& world, std::string_view function)
+{
+    if (world.is_stepping.load(std::memory_order_relaxed)) [[unlikely]]
+        usage_error(function, "world", std::string_view("stepping"), "query the world between steps, not during one");
+    if (world.is_broken) [[unlikely]]
+        usage_error(function, "world", std::string_view("broken"), "destroy it: its memory resource failed during a step");
+}
+
 std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function)
 {
     return require_id(world.bodies.slots, id, world.world, function, "body");

@@ -1,0 +1,594 @@
+// Queries of a world: against closed forms, against a plain loop over all shapes, and the same whatever the broad phase.
+#include "geometry/cast.hpp"
+#include "geometry/random_shapes.hpp"
+
+#include <carom/carom.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <thread>
+
+namespace
+{
+
+thread_local std::size_t allocations = 0;
+
+} // namespace
+
+// Counts the requests of a thread to the heap.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+    ++allocations;
+    void* const memory = std::malloc(size > 0 ? size : 1);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace carom
+{
+
+namespace
+{
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+template <class Call>
+void expect_refused(const char* function, const char* field, Call&& call)
+{
+    try
+    {
+        call();
+        ADD_FAILURE() << function << " accepted a bad " << field;
+    }
+    catch (const UsageError& error)
+    {
+        EXPECT_EQ(error.function(), function) << error.what();
+        EXPECT_EQ(error.field(), field) << error.what();
+    }
+}
+
+class QueriesTest : public testing::Test
+{
+protected:
+    BodyId add(Vec2 position, const Geometry& geometry, const ShapeDef& def = {})
+    {
+        return world.create_body({.type = BodyType::Static, .position = position}, geometry, def);
+    }
+    ShapeId shape_of(BodyId body) const { return world.body(body).shapes().front(); }
+
+    World world{{.gravity = {}}};
+};
+
+} // namespace
+
+// ---- rays ----
+
+TEST_F(QueriesTest, ARayMeetsTheNearestShape)
+{
+    const BodyId near = add({5, 0}, box(2, 2));
+    add({10, 0}, box(2, 2));
+    const auto hit = world.cast_ray({0, 0.5f}, {20, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->body, near);
+    EXPECT_EQ(hit->shape, shape_of(near));
+    EXPECT_FLOAT_EQ(hit->fraction, 0.2f);
+    EXPECT_EQ(hit->point, (Vec2{4, 0.5f}));
+    EXPECT_EQ(hit->normal, (Vec2{-1, 0}));
+    EXPECT_FALSE(hit->starts_inside);
+    EXPECT_FALSE(world.cast_ray({0, 0.5f}, {3.99f, 0}));
+    EXPECT_FALSE(world.cast_ray({0, 5}, {20, 0}));
+    EXPECT_TRUE(world.is_ray_blocked({0, 0.5f}, {20, 0}));
+    EXPECT_FALSE(world.is_ray_blocked({0, 5}, {20, 0}));
+}
+
+TEST_F(QueriesTest, ARayMeetsTurnedBodies)
+{
+    world.create_body({.type = BodyType::Static, .position = {5, 0}, .angle = pi / 4}, box(2, 2));
+    const auto hit = world.cast_ray({0, 0.5f}, {20, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->point.x, 5 - std::sqrt(2.0f) + 0.5f, 1e-5f);
+    EXPECT_NEAR(hit->normal.x, -std::sqrt(0.5f), 1e-6f);
+    EXPECT_NEAR(hit->normal.y, std::sqrt(0.5f), 1e-6f);
+}
+
+TEST_F(QueriesTest, AllHitsComeInTheirOrder)
+{
+    const BodyId far = add({10, 0}, box(2, 2));
+    const BodyId near = add({5, 0}, circle(1));
+    const BodyId twin = add({10, 0}, box(2, 2));
+    const auto hits = world.cast_ray_all({0, 0}, {20, 0});
+    ASSERT_EQ(hits.size(), 3u);
+    EXPECT_EQ(hits[0].body, near);
+    EXPECT_EQ(hits[1].body, far) << "of two at the same fraction, that of the lower index";
+    EXPECT_EQ(hits[2].body, twin);
+    EXPECT_TRUE(world.cast_ray_all({0, 3}, {20, 0}).empty());
+}
+
+TEST_F(QueriesTest, ARayThatStartsInsideSaysSo)
+{
+    const BodyId around = add({0, 0}, box(4, 4));
+    add({1, 0}, circle(0.2f));
+    const auto hit = world.cast_ray({-1, 0}, {5, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_TRUE(hit->starts_inside);
+    EXPECT_EQ(hit->body, around);
+    EXPECT_EQ(hit->fraction, 0);
+    EXPECT_EQ(hit->normal, Vec2{});
+    EXPECT_EQ(hit->point, (Vec2{-1, 0}));
+    const auto all = world.cast_ray_all({-1, 0}, {5, 0});
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_FALSE(all[1].starts_inside);
+    const auto beyond = world.cast_ray({-1, 0}, {5, 0}, {.ignored_body = around});
+    ASSERT_TRUE(beyond);
+    EXPECT_FLOAT_EQ(beyond->point.x, 0.8f);
+}
+
+TEST_F(QueriesTest, ARayCanStartWhereAnotherEnded)
+{
+    add({0, -1}, box(100, 2));
+    Vec2 at = {0, 5};
+    Vec2 sweep = {6, -8};
+    for (int i = 0; i < 50; ++i)
+    {
+        const auto hit = world.cast_ray(at, sweep);
+        ASSERT_EQ(hit.has_value(), i % 2 == 0) << i;
+        if (!hit)
+        {
+            at = {0, 5 + 0.05f * static_cast<float>(i)};
+            sweep = {6, -8};
+            continue;
+        }
+        at = hit->point;
+        sweep = {6, 8};
+    }
+}
+
+TEST_F(QueriesTest, AFilterDecidesWhatIsSeen)
+{
+    const BodyId body = add({5, 0}, box(2, 2), {.filter = {.category = 2, .mask = 5, .group = 0}});
+    EXPECT_TRUE(world.cast_ray({0, 0}, {9, 0}));
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}, {.filter = {.category = 2}})) << "not in its mask";
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}, {.filter = {.mask = 1}})) << "not in ours";
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}, {.ignored_body = body}));
+
+    struct Only final : QueryPredicate
+    {
+        ShapeId shape;
+        bool accepts(ShapeId asked, BodyId) const override { return asked == shape; }
+    } only;
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}, {.predicate = &only}));
+    only.shape = shape_of(body);
+    EXPECT_TRUE(world.cast_ray({0, 0}, {9, 0}, {.predicate = &only}));
+    EXPECT_EQ(world.overlapping(Aabb{{4, 0}, {6, 0}}, {.predicate = &only}).size(), 1u);
+}
+
+TEST_F(QueriesTest, SensorsAreSeenOnRequestAndDisabledBodiesNever)
+{
+    const BodyId sensor = add({5, 0}, box(2, 2), {.is_sensor = true});
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}));
+    EXPECT_TRUE(world.cast_ray({0, 0}, {9, 0}, {.sensors = true}));
+    EXPECT_TRUE(world.shapes_at({5, 0}).empty());
+    EXPECT_EQ(world.shapes_at({5, 0}, {.sensors = true}).size(), 1u);
+    world.body(sensor).set_enabled(false);
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}, {.sensors = true}));
+    EXPECT_FALSE(world.closest_point({0, 0}, 100, {.sensors = true}));
+}
+
+TEST_F(QueriesTest, EditsAreSeenAtOnce)
+{
+    const BodyId body = add({5, 0}, circle(1));
+    EXPECT_TRUE(world.cast_ray({0, 0}, {9, 0}));
+    world.body(body).set_transform({5, 50}, 0);
+    EXPECT_FALSE(world.cast_ray({0, 0}, {9, 0}));
+    EXPECT_TRUE(world.cast_ray({0, 50}, {9, 0}));
+    world.shape(shape_of(body)).set_geometry(circle(60));
+    EXPECT_TRUE(world.cast_ray({0, -9}, {9, 0}));
+    world.destroy_body(body);
+    EXPECT_FALSE(world.cast_ray({0, 50}, {9, 0}));
+}
+
+TEST_F(QueriesTest, ManyRaysAtOnce)
+{
+    add({5, 0}, box(2, 2));
+    const std::array<Ray, 3> rays = {Ray{{0, 0}, {9, 0}}, Ray{{0, 5}, {9, 0}}, Ray{{9, 0}, {-9, 0}}};
+    std::array<std::optional<RayHit>, 3> hits;
+    hits[1] = RayHit{};
+    world.cast_rays(rays, hits);
+    EXPECT_EQ(hits[0]->normal, (Vec2{-1, 0}));
+    EXPECT_FALSE(hits[1]);
+    EXPECT_EQ(hits[2]->normal, (Vec2{1, 0}));
+}
+
+// ---- shapes ----
+
+TEST_F(QueriesTest, AShapeIsStoppedByWhatItMeets)
+{
+    const BodyId wall = add({5, 0}, box(2, 2));
+    const auto hit = world.cast_shape(box(1, 1), {{0, 1.2f}, {}}, {10, 0});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->body, wall);
+    EXPECT_FLOAT_EQ(hit->fraction, 0.35f);
+    EXPECT_EQ(hit->normal, (Vec2{-1, 0}));
+    EXPECT_FLOAT_EQ(hit->point.x, 4);
+    EXPECT_FALSE(world.cast_shape(box(1, 1), {{0, 1.6f}, {}}, {10, 0}));
+    EXPECT_TRUE(world.cast_shape(box(1, 1), {{0, 1.6f}, rotation(pi / 4)}, {10, 0})) << "turned, it reaches farther down";
+    const auto ball = world.cast_circle({0, 0}, 0.5f, {10, 0});
+    ASSERT_TRUE(ball);
+    EXPECT_FLOAT_EQ(ball->fraction, 0.35f);
+    add({7, 0}, circle(1));
+    EXPECT_EQ(world.cast_shape_all(box(1, 1), {{0, 0}, {}}, {10, 0}).size(), 2u);
+    EXPECT_TRUE(world.cast_circle({5, 0}, 0.1f, {0, 1})->starts_inside);
+}
+
+TEST_F(QueriesTest, Overlaps)
+{
+    const BodyId a = add({0, 0}, circle(1));
+    const BodyId b = add({3, 0}, circle(1));
+    EXPECT_EQ(world.overlapping(Aabb{{0.9f, 0.9f}, {2.1f, 2}}).size(), 2u) << "by bounds";
+    EXPECT_EQ(world.overlapping(Aabb{{1.1f, 0}, {1.9f, 0}}).size(), 0u) << "not by the fat ones";
+    EXPECT_TRUE(world.overlapping(box(0.1f, 0.1f), {{0.85f, 0.85f}, {}}).empty()) << "by outline";
+    EXPECT_EQ(world.overlapping(capsule({0.5f, 0}, {2.5f, 0}, 0.1f), {}), (std::vector{shape_of(a), shape_of(b)}));
+    EXPECT_EQ(world.shapes_at({3.5f, 0.5f}), std::vector{shape_of(b)});
+    EXPECT_TRUE(world.shapes_at({3.9f, 0.9f}).empty());
+}
+
+TEST_F(QueriesTest, VisitorsEndWhenTheyWant)
+{
+    for (int i = 0; i < 1000; ++i) add({0, 0}, circle(1));
+    int visits = 0;
+    world.visit_shapes_at({0, 0}, [&visits](ShapeId id)
+    {
+        EXPECT_EQ(id.index, static_cast<std::uint32_t>(visits)) << "in order, though more than one batch";
+        return ++visits < 700;
+    });
+    EXPECT_EQ(visits, 700);
+    visits = 0;
+    world.visit_overlapping(Aabb{{-1, -1}, {1, 1}}, [&visits](ShapeId) { ++visits; });
+    world.visit_overlapping(circle(1), {}, [&visits](ShapeId) { ++visits; });
+    EXPECT_EQ(visits, 2000);
+    EXPECT_EQ(world.shapes_at({0, 0}).size(), 1000u);
+}
+
+TEST_F(QueriesTest, ClosestPoint)
+{
+    const BodyId a = add({5, 0}, box(2, 2));
+    add({0, 30}, circle(1));
+    const auto near = world.closest_point({0, 0}, 10);
+    ASSERT_TRUE(near);
+    EXPECT_EQ(near->body, a);
+    EXPECT_FLOAT_EQ(near->distance, 4);
+    EXPECT_EQ(near->point, (Vec2{4, 0}));
+    EXPECT_EQ(near->normal, (Vec2{-1, 0}));
+    EXPECT_FALSE(world.closest_point({0, 0}, 3.9f));
+    EXPECT_TRUE(world.closest_point({0, 0}, 4));
+    EXPECT_FLOAT_EQ(world.closest_point({0, 0}, 100, {.ignored_body = a})->distance, 29);
+    const auto inside = world.closest_point({5, 0.5f}, 0);
+    ASSERT_TRUE(inside);
+    EXPECT_EQ(inside->distance, 0);
+    EXPECT_EQ(inside->point, (Vec2{5, 0.5f}));
+    EXPECT_EQ(inside->normal, Vec2{});
+}
+
+TEST_F(QueriesTest, DistanceAndTimeOfImpactOfTwoShapes)
+{
+    const ShapeDistance apart = distance(box(2, 2), {{10, 0}, {}}, circle(1), {{15, 0.5f}, {}});
+    EXPECT_FLOAT_EQ(apart.distance, 3);
+    EXPECT_EQ(apart.normal, (Vec2{1, 0}));
+    EXPECT_FLOAT_EQ(apart.point_a.x, 11);
+    EXPECT_FLOAT_EQ(apart.point_b.x, 14);
+    EXPECT_EQ(distance(box(2, 2), {}, circle(1), {}).distance, 0);
+
+    const auto time = time_of_impact(box(2, 2), {.start = {{10, 0}, {}}}, circle(1), {.start = {{20, 0}, {}}, .sweep = {-20, 0}}, 0.01f);
+    ASSERT_TRUE(time);
+    EXPECT_NEAR(*time, 7.99f / 20, 1e-4f);
+    EXPECT_FALSE(time_of_impact(box(2, 2), {}, circle(1), {.start = {{20, 0}, {}}, .sweep = {-5, 0}}));
+    // A plank that turns about its end reaches what it would never reach about its middle.
+    const Geometry plank = offset_box(4, 0.1f, {2, 0});
+    EXPECT_TRUE(time_of_impact(plank, {.turn = 3}, circle(0.2f), {.start = {{0, 3}, {}}}));
+    EXPECT_FALSE(time_of_impact(plank, {.turn = 3, .center = {2, 0}}, circle(0.2f), {.start = {{0, 3}, {}}}));
+}
+
+// ---- explosions ----
+
+TEST_F(QueriesTest, AnExplosionPushesByWidthAndDistance)
+{
+    const auto ball = [&](Vec2 at, float radius) { return world.create_body({.position = at}, circle(radius)); };
+    const BodyId small = ball({2, 0}, 0.25f);
+    const BodyId large = ball({-2, 0}, 0.5f);
+    const BodyId fading = ball({0, 4.25f}, 0.25f);
+    const BodyId beyond = ball({0, -6}, 0.25f);
+    const BodyId wall = add({2, 2}, box(1, 1));
+    EXPECT_EQ(world.explode({.center = {0, 0}, .radius = 3, .falloff = 2, .impulse_per_metre = 10}), 3);
+    const auto momentum = [&](BodyId id) { return world.body(id).mass_data().mass * world.body(id).linear_velocity(); };
+    EXPECT_NEAR(momentum(small).x, 5, 1e-4f);
+    EXPECT_NEAR(momentum(large).x, -10, 1e-4f);
+    EXPECT_NEAR(momentum(fading).y, 2.5f, 1e-4f) << "halfway through the falloff";
+    EXPECT_EQ(momentum(beyond), Vec2{});
+    EXPECT_EQ(world.body(wall).linear_velocity(), Vec2{});
+    EXPECT_NEAR(world.body(small).angular_velocity(), 0, 1e-5f);
+}
+
+TEST_F(QueriesTest, AnExplosionTurnsWhatItMeetsAtACorner)
+{
+    const BodyId plank = world.create_body({.position = {2, 1}}, box(0.2f, 4));
+    world.explode({.center = {0, -1}, .radius = 5, .impulse_per_metre = 1});
+    EXPECT_GT(world.body(plank).linear_velocity().x, 0);
+    EXPECT_GT(world.body(plank).angular_velocity(), 0);
+}
+
+TEST_F(QueriesTest, AnExplosionInsideOfABodyPushesItAsAWhole)
+{
+    const BodyId crate = world.create_body({.position = {0.2f, 0}}, box(2, 2));
+    EXPECT_EQ(world.explode({.impulse_per_metre = 1}), 1);
+    EXPECT_GT(world.body(crate).linear_velocity().x, 0);
+    const BodyId centred = world.create_body({.position = {20, 0}}, box(2, 2));
+    EXPECT_EQ(world.explode({.center = {20, 0}, .impulse_per_metre = 1}), 0) << "from all sides alike";
+    EXPECT_EQ(world.body(centred).linear_velocity(), Vec2{});
+}
+
+// ---- mistakes ----
+
+TEST_F(QueriesTest, BadArgumentsAreNamed)
+{
+    expect_refused("cast_ray", "start.x", [&] { world.cast_ray({nan, 0}, {1, 0}); });
+    expect_refused("cast_ray", "sweep.y", [&] { world.cast_ray({0, 0}, {1, inf}); });
+    expect_refused("is_ray_blocked", "start.x", [&] { world.is_ray_blocked({2e6f, 0}, {1, 0}); });
+    expect_refused("cast_ray_all", "sweep.x", [&] { world.cast_ray_all({0, 0}, {3e6f, 0}); });
+    std::array<std::optional<RayHit>, 1> one;
+    expect_refused("cast_rays", "hits.size()", [&] { world.cast_rays({}, one); });
+    expect_refused("cast_rays", "start.x", [&] { world.cast_rays(std::array{Ray{{nan, 0}, {}}}, one); });
+    expect_refused("cast_shape", "circle.radius", [&] { world.cast_shape(Circle{{}, -1}, {}, {1, 0}); });
+    expect_refused("cast_shape", "start.q", [&] { world.cast_shape(circle(1), {{}, {2, 0}}, {1, 0}); });
+    expect_refused("cast_circle", "radius", [&] { world.cast_circle({0, 0}, 0, {1, 0}); });
+    expect_refused("overlapping", "box.max", [&] { world.overlapping(Aabb{{1, 0}, {0, 1}}); });
+    expect_refused("overlapping", "box.min.x", [&] { world.overlapping(Aabb{{nan, 0}, {0, 1}}); });
+    expect_refused("overlapping", "transform.p.x", [&] { world.overlapping(circle(1), {{nan, 0}, {}}); });
+    expect_refused("shapes_at", "point.y", [&] { world.shapes_at({0, inf}); });
+    expect_refused("closest_point", "max_distance", [&] { world.closest_point({0, 0}, -1); });
+    expect_refused("explode", "radius", [&] { world.explode({.radius = -1}); });
+    expect_refused("explode", "impulse_per_metre", [&] { world.explode({.impulse_per_metre = nan}); });
+    expect_refused("distance", "transform_b.p.x", [&] { distance(circle(1), {}, circle(1), {{nan, 0}, {}}); });
+    expect_refused("time_of_impact", "motion_b.turn", [&] { time_of_impact(circle(1), {}, circle(1), {.turn = 1e9f}); });
+    expect_refused("time_of_impact", "target_distance", [&] { time_of_impact(circle(1), {}, circle(1), {}, 0); });
+}
+
+// ---- against a loop ----
+
+namespace
+{
+
+constexpr std::array broad_phases = {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree,
+                                     BroadPhaseType::Tree};
+
+/// The same world with each broad phase, edited and stepped alike.
+class Worlds
+{
+public:
+    explicit Worlds(std::uint32_t seed) : random(seed)
+    {
+        for (const BroadPhaseType type : broad_phases) worlds.emplace_back(WorldDef{.gravity = {0, -3}, .broad_phase = type});
+    }
+
+    void edit()
+    {
+        const int kind = random.integer(0, 9);
+        const Vec2 place = random.point(30);
+        const float angle = random.uniform(-pi, pi);
+        const Geometry geometry = random.geometry_of(random.integer(0, 3), random.integer(0, 9) == 0 ? 8.0f : 1.0f);
+        const BodyType type = random.integer(0, 2) == 0 ? BodyType::Static : BodyType::Dynamic;
+        const bool is_sensor = random.integer(0, 5) == 0;
+        const std::size_t victim = bodies.empty() ? 0 : static_cast<std::size_t>(random.integer(0, static_cast<int>(bodies.size()) - 1));
+        if (bodies.size() < 60 || kind < 4)
+        {
+            bodies.emplace_back();
+            for (std::size_t i = 0; i < worlds.size(); ++i)
+                bodies.back()[i] =
+                    worlds[i].create_body({.type = type, .position = place, .angle = angle}, geometry, {.is_sensor = is_sensor});
+        }
+        else if (kind < 7)
+        {
+            for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].body(bodies[victim][i]).set_transform(place, angle);
+        }
+        else if (kind < 8)
+        {
+            for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].body(bodies[victim][i]).set_enabled(angle > 0);
+        }
+        else if (kind < 9)
+        {
+            for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].destroy_body(bodies[victim][i]);
+            bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(victim));
+        }
+        else
+        {
+            for (World& world : worlds) world.step(1 / 60.0f);
+        }
+    }
+
+    detail::RandomShapes random;
+    std::vector<World> worlds;
+    std::vector<std::array<BodyId, broad_phases.size()>> bodies;
+};
+
+/// Calls action(shape, its geometry, its transform) for all that a query without sensors may see.
+template <class Action>
+void for_each_shape(const World& world, Action action)
+{
+    for (const BodyId id : world.bodies())
+    {
+        const BodyView body = world.body(id);
+        if (!body.is_enabled()) continue;
+        for (const ShapeId shape : body.shapes())
+            if (!world.shape(shape).is_sensor()) action(shape, world.shape(shape).geometry(), body.transform());
+    }
+}
+
+std::vector<CastHit> reference_rays(const World& world, Vec2 start, Vec2 sweep)
+{
+    std::vector<CastHit> hits;
+    for_each_shape(world, [&](ShapeId id, const Geometry& geometry, const Transform& at)
+    {
+        const auto hit = detail::cast_ray(geometry, inverse_transform(at, start), inverse_rotate(at.q, sweep));
+        if (hit)
+            hits.push_back({id, world.shape(id).body(), hit->fraction, at * hit->point, rotate(at.q, hit->normal), hit->starts_inside});
+    });
+    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b)
+    { return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape.index < b.shape.index; });
+    return hits;
+}
+
+void expect_equal(const CastHit& a, const CastHit& b)
+{
+    EXPECT_EQ(a.shape.index, b.shape.index);
+    EXPECT_EQ(a.body.index, b.body.index);
+    EXPECT_EQ(a.fraction, b.fraction);
+    EXPECT_EQ(a.point, b.point);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.starts_inside, b.starts_inside);
+}
+
+} // namespace
+
+TEST(Queries, RaysAreThoseOfALoopOverAllShapesWithEachBroadPhase)
+{
+    Worlds all(81);
+    std::size_t most = 0;
+    for (int round = 0; round < 3000; ++round)
+    {
+        all.edit();
+        const Vec2 start = all.random.point(40);
+        const Vec2 sweep = all.random.integer(0, 3) == 0 ? Vec2{all.random.uniform(-80, 80), 0} : all.random.point(80);
+        const std::vector<CastHit> expected = reference_rays(all.worlds[0], start, sweep);
+        most = std::max(most, expected.size());
+        for (const World& world : all.worlds)
+        {
+            const auto first = world.cast_ray(start, sweep);
+            ASSERT_EQ(first.has_value(), !expected.empty()) << round << " " << name_of(world.broad_phase());
+            ASSERT_EQ(world.is_ray_blocked(start, sweep), !expected.empty());
+            if (first) expect_equal(*first, expected.front());
+            const auto hits = world.cast_ray_all(start, sweep);
+            ASSERT_EQ(hits.size(), expected.size());
+            for (std::size_t i = 0; i < hits.size(); ++i) expect_equal(hits[i], expected[i]);
+            if (testing::Test::HasFailure()) return;
+        }
+    }
+    EXPECT_GT(most, 5u);
+}
+
+TEST(Queries, TheOthersAreThoseOfALoopToo)
+{
+    Worlds all(82);
+    int overlaps_found = 0;
+    for (int round = 0; round < 2000; ++round)
+    {
+        all.edit();
+        const Geometry geometry = all.random.geometry_of(all.random.integer(0, 3), 2);
+        const Transform at = all.random.transform(30);
+        const Vec2 sweep = all.random.point(40);
+        const float reach = all.random.uniform(0, 20);
+
+        std::vector<std::uint32_t> overlapping;
+        std::vector<std::uint32_t> holding;
+        std::optional<float> fraction;
+        float nearest = inf;
+        detail::ConvexPoints point;
+        point.count = 1;
+        for_each_shape(all.worlds[0], [&](ShapeId id, const Geometry& other, const Transform& where)
+        {
+            const Transform local = relative(where, at);
+            if (detail::overlap(other, geometry, local)) overlapping.push_back(id.index);
+            if (contains(other, inverse_transform(where, at.p))) holding.push_back(id.index);
+            const auto hit =
+                detail::cast_shape(detail::convex_points(other), detail::convex_points(geometry), local, inverse_rotate(where.q, sweep));
+            if (hit) fraction = std::min(hit->fraction, fraction.value_or(1));
+            point.points[0] = inverse_transform(where, at.p);
+            nearest = std::min(nearest, detail::distance(detail::convex_points(other), point, {}).distance);
+        });
+        std::sort(overlapping.begin(), overlapping.end());
+        std::sort(holding.begin(), holding.end());
+        overlaps_found += static_cast<int>(overlapping.size());
+
+        const auto indices = [](const std::vector<ShapeId>& ids)
+        {
+            std::vector<std::uint32_t> result;
+            for (const ShapeId id : ids) result.push_back(id.index);
+            return result;
+        };
+        for (const World& world : all.worlds)
+        {
+            ASSERT_EQ(indices(world.overlapping(geometry, at)), overlapping) << round << " " << name_of(world.broad_phase());
+            ASSERT_EQ(indices(world.shapes_at(at.p)), holding);
+            const auto hit = world.cast_shape(geometry, at, sweep);
+            ASSERT_EQ(hit ? hit->fraction : -1, fraction.value_or(-1)) << round << " " << name_of(world.broad_phase());
+            const auto closest = world.closest_point(at.p, reach);
+            ASSERT_EQ(closest ? closest->distance : -1, nearest <= reach ? nearest : -1);
+        }
+    }
+    EXPECT_GT(overlaps_found, 500);
+}
+
+// ---- memory and threads ----
+
+TEST(Queries, NothingIsAllocatedButLists)
+{
+    for (const BroadPhaseType type : broad_phases)
+    {
+        World world({.broad_phase = type});
+        detail::RandomShapes random(83);
+        for (int i = 0; i < 2000; ++i) world.create_body({.position = random.point(40)}, circle(0.5f));
+        world.step(1 / 60.0f);
+        world.cast_ray({0, 0}, {1, 0}); // brings the broad phase up to date
+        const std::size_t before = allocations;
+        int visits = 0;
+        for (int i = 0; i < 100; ++i)
+        {
+            world.cast_ray(random.point(40), random.point(40));
+            world.cast_circle(random.point(40), 1, random.point(40));
+            world.closest_point(random.point(40), 10);
+            world.visit_overlapping(Aabb{{-20, -20}, {20, 20}}, [&visits](ShapeId) { ++visits; });
+            world.visit_overlapping(circle(20), {}, [&visits](ShapeId) { ++visits; });
+            world.visit_shapes_at(random.point(40), [&visits](ShapeId) { ++visits; });
+        }
+        EXPECT_EQ(allocations, before) << name_of(type);
+        EXPECT_GT(visits, 50000);
+    }
+}
+
+TEST(Queries, SeveralThreadsMayAskAtOnce)
+{
+    World world;
+    detail::RandomShapes random(84);
+    for (int i = 0; i < 1000; ++i) world.create_body({.position = random.point(40)}, circle(0.5f));
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i)
+    {
+        const Vec2 start = random.point(50);
+        rays.push_back({start, random.point(50)});
+    }
+    std::array<std::vector<std::optional<RayHit>>, 4> hits;
+    std::vector<std::thread> threads;
+    for (auto& own : hits)
+    {
+        own.resize(rays.size());
+        threads.emplace_back([&] { world.cast_rays(rays, own); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+        const auto expected = world.cast_ray(rays[i].start, rays[i].sweep);
+        for (const auto& own : hits)
+        {
+            ASSERT_EQ(own[i].has_value(), expected.has_value());
+            if (expected) expect_equal(*own[i], *expected);
+        }
+    }
+}
+
+} // namespace carom
