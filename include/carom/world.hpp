@@ -201,6 +201,7 @@ public:
     void debug_draw(DebugDraw& visitor) const;
 
 private:
+    friend class Character;
     detail::WorldState& state() const;
 
     struct Destroy
