@@ -62,13 +62,19 @@ std::uint32_t PointTree::add_node(std::span<const Vec2> points, std::uint32_t bu
     return place;
 }
 
-/// Sorts a range of points by their cells in a square grid around them. @return false when they are all at one place
+/// Sorts a range of points by their cells in a square grid around them. @return false when they are all at one place, or when one of them
+/// is at none: a body whose state is not finite any more is looked at until the step ends
 bool PointTree::lay_grid(std::span<const Vec2> points, std::uint32_t begin, std::uint32_t end)
 {
     const std::span<SortKey> keys = std::span<SortKey>(keys_).subspan(begin, end - begin);
     Aabb bounds{points[keys[0].index], points[keys[0].index]};
-    for (const SortKey& key : keys) bounds = {min(bounds.min, points[key.index]), max(bounds.max, points[key.index])};
-    if (bounds.min == bounds.max) return false;
+    bool are_finite = true;
+    for (const SortKey& key : keys)
+    {
+        are_finite &= is_finite(points[key.index]);
+        bounds = {min(bounds.min, points[key.index]), max(bounds.max, points[key.index])};
+    }
+    if (!are_finite || bounds.min == bounds.max) return false;
 
     const double side = std::max(quadtree::extent(bounds.min.x, bounds.max.x), quadtree::extent(bounds.min.y, bounds.max.y));
     const quadtree::Grid grid(bounds.min, side, side, quadtree::deepest);
