@@ -10,5 +10,7 @@ SceneInfo planets_scene();
 SceneInfo triggers_scene();
 SceneInfo collisions_scene();
 SceneInfo gravity_scene();
+SceneInfo queries_scene();
+SceneInfo character_scene();
 
 } // namespace carom::scenes

@@ -9,7 +9,8 @@ namespace carom::scenes
 
 const std::vector<SceneInfo>& all_scenes()
 {
-    static const std::vector<SceneInfo> scenes = {planets_scene(), triggers_scene(), collisions_scene(), gravity_scene()};
+    static const std::vector<SceneInfo> scenes = {planets_scene(), triggers_scene(), collisions_scene(),
+                                                  gravity_scene(), queries_scene(),  character_scene()};
     return scenes;
 }
 

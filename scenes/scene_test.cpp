@@ -91,16 +91,17 @@ TEST_P(EveryScene, is_alive_without_input)
     const auto places = [&]
     {
         std::vector<Vec2> all;
-        for (const BodyId id : scene->world().bodies()) all.push_back(scene->world().body(id).position());
+        for (const BodyId id : scene->world().bodies())
+            if (scene->world().body(id).type() != BodyType::Static) all.push_back(scene->world().body(id).position());
         return all;
     };
     const std::vector<Vec2> before = places();
     step(*scene, 60);
     const std::vector<Vec2> after = places();
     ASSERT_EQ(before.size(), after.size());
-    int moved = 0;
+    std::size_t moved = 0;
     for (std::size_t i = 0; i < before.size(); ++i) moved += distance(before[i], after[i]) > 0.5f;
-    EXPECT_GT(moved, 20);
+    EXPECT_GT(4 * moved, before.size());
 }
 
 TEST_P(EveryScene, restarts_with_the_parameters_that_it_has)

@@ -106,6 +106,7 @@ private:
     // Moving.
     void move_by(Vec2 way);
     float free_way(Vec2 way, CastHit* first = nullptr);
+    float slide_share(Vec2& way);
     Vec2 against(Vec2 way, const Plane& plane) const;
     Vec2 against_all(Vec2 way) const;
     void carry();
@@ -250,6 +251,20 @@ Vec2 CharacterMove::against_all(Vec2 way) const
     return way;
 }
 
+/// Like free_way, but a surface that the way only grazes does not stop it: the normals of corners are not exact.
+/// @param way bent by as little as it takes
+float CharacterMove::slide_share(Vec2& way)
+{
+    constexpr float graze = 1e-3f;
+    CastHit first;
+    const float share = free_way(way, &first);
+    const float distance = length(way);
+    const float into = dot(way, first.normal);
+    if (share * distance >= least_way || into < -graze * distance) return share;
+    way += (0.01f * graze * distance - into) * first.normal;
+    return free_way(way);
+}
+
 void CharacterMove::slide(Vec2 way, bool may_step)
 {
     for (int i = 0; i < most_slides && length(way) > least_way; ++i)
@@ -260,7 +275,7 @@ void CharacterMove::slide(Vec2 way, bool may_step)
         const bool is_stopped = dot(along, right_) * wanted <= 0.5f * wanted * wanted;
         if (may_step && is_stopped && step_up(way)) return;
         way = along;
-        const float share = free_way(way);
+        const float share = slide_share(way);
         move_by(share * way);
         way *= 1 - share;
     }

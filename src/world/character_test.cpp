@@ -117,6 +117,25 @@ TEST_F(CharacterTest, WalksUpAndDownStairs)
     EXPECT_EQ(in_air, 0) << "it follows the stairs down without a hop";
 }
 
+TEST_F(CharacterTest, SteepStairsDoNotSlowItDown)
+{
+    for (const float tread : {0.4f, 0.6f, 0.8f})
+    {
+        World own;
+        own.create_body({.type = BodyType::Static, .position = {0, -1}}, box(200, 2));
+        for (int i = 0; i < 12; ++i)
+        {
+            const float height = 0.25f * static_cast<float>(i + 1);
+            own.create_body({.type = BodyType::Static, .position = {10 + tread * static_cast<float>(i), 0.5f * height}}, box(20, height));
+        }
+        Character character({.geometry = capsule({0, -0.3f}, {0, 0.3f}, 0.25f), .position = {-1.5f, 0.56f}});
+        Vec2 v;
+        int steps = 0;
+        for (; steps < 600 && character.position().x < 12 * tread; ++steps) v = character.move(own, {3, v.y - 9.81f * dt}, dt);
+        EXPECT_LT(static_cast<float>(steps) * dt * 3, 2.0f * (1.5f + 12 * tread)) << tread;
+    }
+}
+
 TEST_F(CharacterTest, IsStoppedByAHighStep)
 {
     add({12, 0}, box(20, 0.64f)); // top at 0.32

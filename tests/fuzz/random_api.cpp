@@ -41,7 +41,10 @@ void expect_complete(const UsageError& error, const char* function)
 
 } // namespace
 
-RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_}) { foreign_ = other_.create_body({}); }
+RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_}), character_(CharacterDef{})
+{
+    foreign_ = other_.create_body({});
+}
 
 float RandomApi::number(float min, float max)
 {
@@ -305,6 +308,145 @@ void RandomApi::read()
     if (random_.one_in(20)) world_.debug_draw(nothing);
 }
 
+QueryFilter RandomApi::query_filter()
+{
+    return {.filter = {random_.bits() & 3, random_.one_in(3) ? random_.bits() & 3 : ~std::uint64_t{0}, random_.below(5) - 2},
+            .sensors = random_.one_in(3),
+            .ignored_body = body_id()};
+}
+
+Transform RandomApi::transform() { return {vector(15), random_.one_in(40) ? Rot{number(-2, 2), 0} : rotation(random_.from(-4, 4))}; }
+
+namespace
+{
+
+void expect_sound(const World& world, const CastHit& hit)
+{
+    EXPECT_EQ(world.shape(hit.shape).body(), hit.body);
+    EXPECT_TRUE(hit.fraction >= 0 && hit.fraction <= 1) << hit.fraction;
+    EXPECT_TRUE(is_finite(hit.point) && is_finite(hit.normal));
+    EXPECT_NEAR(length(hit.normal), hit.starts_inside ? 0 : 1, 1e-3f);
+    EXPECT_TRUE(world.body(hit.body).is_enabled());
+}
+
+} // namespace
+
+void RandomApi::cast()
+{
+    const World& world = world_;
+    const Vec2 start = vector(20);
+    const Vec2 sweep = vector(random_.one_in(4) ? 1000.0f : 20.0f);
+    const QueryFilter filter = query_filter();
+    const Geometry geometry =
+        random_.one_in(2) ? Geometry{Circle{vector(1), number(0.01f, 2)}} : Geometry{Capsule{vector(2), vector(2), number(0.01f, 1)}};
+    switch (random_.below(6))
+    {
+    case 0:
+        return try_call("cast_ray", [&]
+        {
+            const auto hit = world.cast_ray(start, sweep, filter);
+            if (hit) expect_sound(world, *hit);
+            EXPECT_EQ(world.is_ray_blocked(start, sweep, filter), hit.has_value());
+            const std::vector<RayHit> all = world.cast_ray_all(start, sweep, filter);
+            ASSERT_EQ(all.empty(), !hit);
+            EXPECT_TRUE(!hit || all.front().shape == hit->shape);
+        });
+    case 1: return try_call("is_ray_blocked", [&] { world.is_ray_blocked(start, sweep, filter); });
+    case 2:
+        return try_call("cast_ray_all", [&]
+        {
+            for (const RayHit& hit : world.cast_ray_all(start, sweep, filter)) expect_sound(world, hit);
+        });
+    case 3:
+        return try_call("cast_rays", [&]
+        {
+            const std::array rays = {Ray{start, sweep}, Ray{sweep, start}};
+            std::array<std::optional<RayHit>, 2> hits;
+            world.cast_rays(rays, std::span(hits).first(random_.one_in(20) ? 1 : 2), filter);
+        });
+    case 4:
+        return try_call("cast_circle", [&]
+        {
+            if (const auto hit = world.cast_circle(start, number(0.01f, 3), sweep, filter)) expect_sound(world, *hit);
+        });
+    default:
+        return try_call("cast_shape", [&]
+        {
+            const Transform at = transform();
+            const auto hit = world.cast_shape(geometry, at, sweep, filter);
+            if (hit) expect_sound(world, *hit);
+            const std::vector<CastHit> all = world.cast_shape_all(geometry, at, sweep, filter);
+            ASSERT_EQ(all.empty(), !hit);
+            EXPECT_TRUE(!hit || all.front().shape == hit->shape);
+        });
+    }
+}
+
+void RandomApi::query()
+{
+    const World& world = world_;
+    const QueryFilter filter = query_filter();
+    const Geometry geometry = Capsule{vector(2), vector(2), number(0.01f, 1)};
+    int visits = 0;
+    const auto count = [&visits](ShapeId) { return ++visits < 20; };
+    switch (random_.below(9))
+    {
+    case 0: return try_call("overlapping", [&] { world.overlapping(Aabb{vector(10), vector(10) + Vec2{10, 10}}, filter); });
+    case 1: return try_call("overlapping", [&] { world.overlapping(geometry, transform(), filter); });
+    case 2: return try_call("shapes_at", [&] { world.shapes_at(vector(10), filter); });
+    case 3: return try_call("visit_overlapping", [&] { world.visit_overlapping(geometry, transform(), count, filter); });
+    case 4: return try_call("visit_shapes_at", [&] { world.visit_shapes_at(vector(10), count, filter); });
+    case 5:
+        return try_call("closest_point", [&]
+        {
+            const float reach = number(0, 30);
+            const auto nearest = world.closest_point(vector(20), reach, filter);
+            EXPECT_TRUE(!nearest || (nearest->distance >= 0 && nearest->distance <= reach));
+        });
+    case 6: return try_call("distance", [&] { EXPECT_GE(distance(geometry, transform(), circle(1), transform()).distance, 0); });
+    case 7:
+        return try_call("time_of_impact", [&]
+        {
+            const ShapeMotion a = {transform(), vector(20), number(-4, 4), vector(1)};
+            const ShapeMotion b = {transform(), vector(20), number(-4, 4), vector(1)};
+            const auto time = time_of_impact(geometry, a, box(1, 2), b, number(0.001f, 0.1f));
+            EXPECT_TRUE(!time || (*time >= 0 && *time <= 1));
+        });
+    default:
+        return try_call("explode", [&]
+        {
+            world_.explode({.center = vector(15),
+                            .radius = number(0, 3),
+                            .falloff = number(0, 3),
+                            .impulse_per_metre = number(-5, 5),
+                            .filter = filter});
+        });
+    }
+}
+
+void RandomApi::walk()
+{
+    if (random_.one_in(20))
+        try_call("Character", [&]
+        {
+            character_ = Character({.geometry = Capsule{{0, -0.5f}, {0, number(0.1f, 1)}, number(0.1f, 0.5f)},
+                                    .position = vector(15),
+                                    .max_slope = number(0, 1.5f),
+                                    .step_height = number(0, 0.5f),
+                                    .snap_distance = number(0, 0.5f),
+                                    .skin = number(0.002f, 0.05f),
+                                    .push_force = number(0, 100),
+                                    .filter = query_filter()});
+        });
+    if (random_.one_in(20)) try_call("set_position", [&] { character_.set_position(vector(15)); });
+    for (int i = 0; i < 5; ++i)
+        try_call("move", [&]
+        {
+            const Vec2 velocity = character_.move(world_, vector(10), number(0.005f, 0.03f));
+            EXPECT_TRUE(is_finite(velocity) && is_finite(character_.position()));
+        });
+}
+
 void RandomApi::step()
 {
     try_call("step", [&]
@@ -352,6 +494,11 @@ void RandomApi::edit_during_step()
         };
         refuse("step", [&] { api.world_.step(0.01f); });
         refuse("create_body", [&] { api.world_.create_body({}, circle(1)); });
+        refuse("cast_ray", [&] { api.world_.cast_ray({0, 0}, {1, 0}); });
+        refuse("overlapping", [&] { api.world_.overlapping(circle(1), {}); });
+        refuse("closest_point", [&] { api.world_.closest_point({0, 0}, 1); });
+        refuse("explode", [&] { api.world_.explode({}); });
+        refuse("move", [&] { api.character_.move(api.world_, {}, 0.01f); });
         refuse("set_gravity", [&] { api.world_.set_gravity({}); });
         refuse("set_broad_phase", [&] { api.world_.set_broad_phase(BroadPhaseType::BruteForce); });
         for (const BodyId id : api.bodies_)
@@ -419,8 +566,14 @@ void RandomApi::call()
         edit_shape();
     else if (kind < 76)
         edit_world();
-    else if (kind < 82)
+    else if (kind < 79)
         read();
+    else if (kind < 80)
+        walk();
+    else if (kind < 81)
+        cast();
+    else if (kind < 82)
+        query();
     else if (kind < 86)
         must_refuse();
     else if (kind < 87 && random_.one_in(10))

@@ -95,6 +95,11 @@ private:
     void edit_shape();
     void edit_world();
     void read();
+    void query();
+    void cast();
+    void walk();
+    QueryFilter query_filter();
+    Transform transform();
     void step();
     void edit_during_step();
 
@@ -106,6 +111,7 @@ private:
     std::vector<BodyId> bodies_; ///< stale ones stay in
     std::vector<ShapeId> shapes_;
     std::vector<FieldId> fields_;
+    Character character_;
     Tally tally_;
 };
 
