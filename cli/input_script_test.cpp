@@ -112,13 +112,15 @@ TEST(InputScript, every_scene_has_an_example_that_can_be_played)
         EXPECT_GT(script.size(), 0u);
         const auto scene = scenes::make_scene(info.name);
         const auto untouched = scenes::make_scene(info.name);
-        for (int step = 0; step < 300; ++step)
+        bool is_felt = false;
+        for (int step = 0; step < 1500 && !is_felt; ++step)
         {
             script.apply(*scene, step);
             scene->step();
             untouched->step();
+            is_felt = scene->world().hash() != untouched->world().hash();
         }
-        EXPECT_NE(scene->world().hash(), untouched->world().hash()) << info.name << ": the input changes nothing";
+        EXPECT_TRUE(is_felt) << info.name << ": the input changes nothing";
     }
 }
 

@@ -1,6 +1,7 @@
 // The only place where a step writes poses.
 #include "dynamics/finalize_bodies.hpp"
 
+#include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
 
 #include <cmath>
@@ -16,6 +17,41 @@ constexpr float end_of_world = 1e15f;
 
 bool is_good(float value) { return std::abs(value) < end_of_world; } // false for NaN
 bool is_good(Vec2 v) { return is_good(v.x) && is_good(v.y); }
+
+/// How far a body turned in a step: its rotation tells the angle, its spin how many full turns [rad].
+float motion_turn(const BodyMotion& motion, float dt)
+{
+    // Small turns, which are nearly all, need no arctangent.
+    if (motion.dq.c > 0.99f) return motion.dq.s;
+    const float turn = angle(motion.dq);
+    return turn + 2 * pi * std::round((motion.w * dt - turn) / (2 * pi));
+}
+
+/// Moved by more than half the radius of its thinnest part; a little is always allowed.
+bool is_fast(const Sweep& sweep, const BodyWatch& watch, BodyType type)
+{
+    const float way = distance(sweep.center_start, sweep.center_end) + std::abs(sweep.turn) * watch.outer_radius;
+    if (watch.is_bullet && type == BodyType::Dynamic) return way > linear_slop;
+    return way > std::max(0.5f * watch.inner_radius, linear_slop);
+}
+
+/// The fat bounds of a fast body's shapes hold all of its way.
+void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase)
+{
+    const bool turns = std::abs(sweep.turn) > 0.1f;
+    const float reach = bodies.records[body].outer_radius;
+    const Aabb around = merge(Aabb{sweep.center_start, sweep.center_start}, Aabb{sweep.center_end, sweep.center_end});
+    for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    {
+        ShapeBounds& bounds = shapes.bounds[s];
+        const Aabb ends = merge(aabb_of(shapes.geometry[s], sweep.at(0)), bounds.tight);
+        bounds.fat =
+            expanded(turns ? merge(ends, expanded(around, reach)) : expanded(ends, std::abs(sweep.turn) * std::abs(sweep.turn) * reach),
+                     linear_slop);
+        broad_phase.update(s, bounds.fat);
+        shapes.mark_moved(s);
+    }
+}
 
 } // namespace
 
@@ -34,11 +70,9 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
 }
 
 void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
-                     std::pmr::vector<std::uint32_t>& not_finite)
+                     std::pmr::vector<std::uint32_t>& not_finite, std::pmr::vector<FastBody>* fast)
 {
-    // The margin follows the velocity for this many steps to come: fewer searches for pairs, against more false pairs.
-    constexpr float steps_ahead = 2;
-
+    if (fast) make_room(*fast, bodies.motions.size());
     make_room(not_finite, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
@@ -47,6 +81,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         const Vec2 center = pose.center + motion.dp;
         const Rot q = normalize(motion.dq * pose.transform.q);
         const Transform transform = {center - rotate(q, pose.local_center), q};
+        const Sweep sweep = {pose.local_center, pose.center, center, pose.transform.q, motion_turn(motion, dt)};
         motion.dp = {};
         motion.dq = {};
         bodies.drives[i].force = {};
@@ -65,6 +100,9 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         const bool is_slow = length(motion.v) + std::abs(motion.w) * watch.outer_radius <= sleep_speed;
         watch.rest_time = is_slow && watch.can_sleep ? watch.rest_time + dt : 0;
         refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
+        if (!fast || !is_fast(sweep, watch, bodies.records[motion.slot].type)) continue;
+        fast->push_back({motion.slot, sweep});
+        widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase);
     }
 }
 

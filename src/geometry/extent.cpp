@@ -30,4 +30,24 @@ float outer_radius(const Geometry& geometry, Vec2 point)
     return most + polygon.radius;
 }
 
+ConvexPoints core_of(const Geometry& geometry, float depth)
+{
+    ConvexPoints core = convex_points(geometry);
+    const float from_radius = std::min(core.radius, depth);
+    core.radius -= from_radius;
+    const float inset = depth - from_radius;
+    const auto* polygon = std::get_if<Polygon>(&geometry);
+    if (!polygon || inset <= 0) return core;
+    // Each corner goes to where the two edges beside it meet when both move inwards; a sharp one no farther than to the middle.
+    for (std::size_t i = 0; i < static_cast<std::size_t>(core.count); ++i)
+    {
+        const Vec2 n1 = polygon->normals[i == 0 ? static_cast<std::size_t>(core.count) - 1 : i - 1];
+        const Vec2 n2 = polygon->normals[i];
+        const Vec2 step = (inset / std::max(1 + dot(n1, n2), 0.05f)) * (n1 + n2);
+        const Vec2 to_middle = core.points[i] - polygon->centroid;
+        core.points[i] -= length(step) < length(to_middle) ? step : to_middle;
+    }
+    return core;
+}
+
 } // namespace carom::detail

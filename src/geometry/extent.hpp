@@ -1,6 +1,8 @@
 // How large a shape is, in two numbers: for judging whether a body is fast, and whether it is at rest.
 #pragma once
 
+#include "geometry/distance.hpp"
+
 #include <carom/shape.hpp>
 
 namespace carom::detail
@@ -11,5 +13,10 @@ float inner_radius(const Geometry& geometry);
 
 /// Distance from a point to the farthest point of the shape [m].
 float outer_radius(const Geometry& geometry, Vec2 point);
+
+/// The shape without its outermost `depth`: what must go into another for the two to pass through each other. Approximate, and never larger than
+/// the shape.
+/// @param depth [m], from 0 to below the inner radius
+ConvexPoints core_of(const Geometry& geometry, float depth);
 
 } // namespace carom::detail

@@ -78,6 +78,8 @@ void unlink_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
 std::uint32_t create_body(WorldState& world, const BodyDef& def)
 {
     world.islands.make_room_for(world.bodies.records.size() + 1);
+    world.continuous.make_room_for(world.bodies.records.size() + 1);
+    make_room(world.fast, world.bodies.records.size() + 1);
     make_room(world.events.fell_asleep, world.bodies.records.size() + 1);
     make_room(world.events.woke, world.bodies.records.size() + 1);
     const std::uint32_t body = world.bodies.create(def);
@@ -216,7 +218,7 @@ void refresh_mass(WorldState& world, std::uint32_t body)
 void refresh_extent(WorldState& world, std::uint32_t body)
 {
     BodyRecord& record = world.bodies.records[body];
-    if (record.type != BodyType::Dynamic) return; // nobody asks, and a ground may have many shapes
+    if (record.type == BodyType::Static) return; // nobody asks, and a ground may have many shapes
     record.inner_radius = record.first_shape == null_index ? 0 : std::numeric_limits<float>::max();
     record.outer_radius = 0;
     for_each_shape(world, body, [&](std::uint32_t shape)

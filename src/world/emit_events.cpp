@@ -112,7 +112,8 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
         events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world)});
 }
 
-int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, std::uint32_t world,
+                EventBuffers& events)
 {
     events.contact_begin.clear();
     events.contact_persist.clear();
@@ -136,6 +137,14 @@ int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t 
             emit_contact(contact, manifold, touches_now, shapes, world, events);
     }
 
+    for (const Crossing& crossing : crossings)
+    {
+        Contact passing;
+        passing.shape_a = crossing.shape_a;
+        passing.shape_b = crossing.shape_b;
+        add_sensor_events(passing, shapes, world, events.sensor_begin);
+        add_sensor_events(passing, shapes, world, events.pending_sensor_end);
+    }
     keep_headroom(events.contact_begin);
     keep_headroom(events.contact_persist);
     keep_headroom(events.contact_end);

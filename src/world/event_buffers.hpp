@@ -3,6 +3,7 @@
 
 #include "dynamics/contact_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "solver/continuous.hpp"
 
 #include <carom/events.hpp>
 
@@ -54,6 +55,8 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
 
 /// Compares what touches now with what the events have told, and fills the lists, each ordered by the shapes' indices.
 /// @return number of contacts that touch
-int emit_events(ContactStore& contacts, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);
+/// @param crossings overlaps that began and ended within the step: they are told now as begun, and in the next step as ended
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, std::uint32_t world,
+                EventBuffers& events);
 
 } // namespace carom::detail

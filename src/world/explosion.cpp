@@ -1,6 +1,7 @@
 // Pushes bodies away from a point.
 #include "geometry/distance.hpp"
 #include "world/query_walk.hpp"
+#include "world/sleep.hpp"
 #include "world/validate.hpp"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ bool push_shape(WorldState& world, std::uint32_t shape, const ExplosionDef& def)
     const float strength = beyond <= 0 ? 1 : 1 - beyond / def.falloff;
     const float width = width_across(points, inverse_rotate(transform.q, left_perp(direction)));
     const Vec2 impulse = (def.impulse_per_metre * width * strength) * direction;
+    detail::wake_body(world, body);
     world.bodies.push(body, impulse, cross(at - world.bodies.poses[body].center, impulse));
     return true;
 }
@@ -68,7 +70,8 @@ int World::explode(const ExplosionDef& def)
     int count = 0;
     detail::for_each_near(world, expanded({def.center, def.center}, def.radius + def.falloff), filter, [&](std::uint32_t shape)
     {
-        if (world.bodies.is_pushable(world.shapes.records[shape].body)) count += push_shape(world, shape, def);
+        const detail::BodyRecord& body = world.bodies.records[world.shapes.records[shape].body];
+        if (body.type == BodyType::Dynamic && body.is_enabled) count += push_shape(world, shape, def);
         return true;
     });
     return count;

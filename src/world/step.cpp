@@ -118,8 +118,14 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
     }
     {
         StageTimer timer(report, Stage::FinalizeBodies);
-        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, world.not_finite);
+        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, world.not_finite,
+                        world.is_continuous ? &world.fast : nullptr);
         disable_not_finite(world);
+    }
+    {
+        StageTimer timer(report, Stage::Continuous);
+        world.continuous.run(world.fast, bodies, world.shapes, world.joints, *world.broad_phase, steps_ahead * dt);
+        world.fast.clear();
     }
     world.last_substep = h;
 }
@@ -161,7 +167,8 @@ StepReport step(WorldState& world, float dt, int substeps)
     if (dt > 0) integrate_substeps(world, report, dt, substeps);
     {
         StageTimer timer(report, Stage::EmitEvents);
-        report.contacts = emit_events(world.contacts, world.shapes, world.world, world.events);
+        report.contacts = emit_events(world.contacts, world.continuous.crossings(), world.shapes, world.world, world.events);
+        world.continuous.clear_crossings();
     }
     report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
     report.islands = static_cast<int>(world.islands.awake().size());

@@ -44,9 +44,13 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       solver(memory),
       joint_solver(memory),
       broken_joints(&memory),
-      field_forces(memory)
+      field_forces(memory),
+      fast(&memory),
+      continuous(memory)
 {
     islands.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
+    continuous.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
+    fast.reserve(static_cast<std::size_t>(def.capacity.bodies) + 1);
     events.fell_asleep.reserve(static_cast<std::size_t>(def.capacity.bodies));
     events.woke.reserve(static_cast<std::size_t>(def.capacity.bodies));
     bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));

@@ -12,6 +12,7 @@
 #include "fields/field_store.hpp"
 #include "memory/counting_resource.hpp"
 #include "solver/contact_solver.hpp"
+#include "solver/continuous.hpp"
 #include "solver/graph_colors.hpp"
 #include "solver/joint_solver.hpp"
 #include "world/event_buffers.hpp"
@@ -72,6 +73,8 @@ struct WorldState
     JointSolver<float> joint_solver;
     std::pmr::vector<std::uint32_t> broken_joints;
     FieldForces field_forces;
+    std::pmr::vector<FastBody> fast;
+    ContinuousCollision continuous;
 };
 
 } // namespace carom::detail

@@ -16,12 +16,12 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0x6372402b42b342aa},
+    SceneHash{"planets", 0xc5a43b230ebd3135},
     SceneHash{"triggers", 0xdd748a15be11db95},
-    SceneHash{"collisions", 0xa4fba7a6c8a6ace6},
-    SceneHash{"gravity", 0x1d69b58ad4a2c95e},
+    SceneHash{"collisions", 0x6bfa75e51e603293},
+    SceneHash{"gravity", 0x70a77992491f7bae},
 };
 
-inline constexpr std::uint64_t mixed_world = 0xf53d9896bde015d8;
+inline constexpr std::uint64_t mixed_world = 0x36c5c6cf5d1ea574;
 
 } // namespace carom::golden

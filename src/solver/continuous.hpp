@@ -1,0 +1,105 @@
+// Continuous collision: stops fast bodies where they would pass through something.
+//
+// The solver lets bodies move first; then the few that moved more than half their size in the step are looked at again, along their way. Those that
+// would have gone through another body are set back to the moment of touch, with the velocity that they have; in the next step the touch is an
+// ordinary contact. Two fast bodies that meet are both stopped. A body that a moving kinematic one would have passed through is carried along
+// by it from then on.
+//
+// Impacts are handled in the order of their times. A body that has been stopped stands still for the rest of the step, and the ways of
+// others are judged anew against it. So nothing passes through anything, whatever the bodies are.
+#pragma once
+
+#include "broadphase/broad_phase.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/finalize_bodies.hpp"
+#include "dynamics/joint_store.hpp"
+#include "dynamics/shape_store.hpp"
+#include "geometry/time_of_impact.hpp"
+
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+namespace carom::detail
+{
+
+/// A shape went through a sensor within the step, and was outside before and after.
+struct Crossing
+{
+    std::uint32_t shape_a; ///< the lower index; one of the two is a sensor
+    std::uint32_t shape_b;
+
+    friend auto operator<=>(const Crossing&, const Crossing&) = default;
+};
+
+class ContinuousCollision
+{
+public:
+    explicit ContinuousCollision(std::pmr::memory_resource& memory);
+
+    /// Room for the first fast bodies, so that they cost no memory when they come.
+    void make_room_for(std::size_t bodies);
+
+    /// @param fast  bodies with their ways, as finalize_bodies found them; their fat bounds hold the whole way, and are ordinary ones after
+    /// @param way_ahead the way that fat bounds reach ahead, in steps [s]
+    void run(std::span<const FastBody> fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints, BroadPhase& broad_phase,
+             float way_ahead);
+
+    std::span<const Crossing> crossings() const { return crossings_; }
+    void clear_crossings() { crossings_.clear(); }
+
+private:
+    /// A body whose way is judged.
+    struct Mover
+    {
+        std::uint32_t body;
+        Sweep sweep;                  ///< from `since` to the end of the step
+        Transform start;              ///< where it was when the step began
+        bool can_stop;                ///< dynamic
+        bool is_fast;                 ///< found by its way, and not as what a kinematic body runs into
+        float since = 0;              ///< in the time of the step, 0 to 1
+        bool is_stopped = false;      ///< stands still since then
+        std::uint32_t version = 0;    ///< counts its stops
+        std::uint32_t first_pair = 0; ///< in pairs_of_mover_
+        std::uint32_t end_pair = 0;
+    };
+
+    /// Two shapes that may meet; B may be of a body that is not fast.
+    struct Pair
+    {
+        std::uint32_t mover_a;
+        std::uint32_t mover_b; ///< null_index: at rest where it is
+        std::uint32_t shape_a;
+        std::uint32_t shape_b;
+    };
+
+    struct Impact
+    {
+        float time;
+        std::uint32_t pair;
+        std::uint32_t version; ///< of both movers together, when it was found
+    };
+
+    void find_candidates(const BodyStore& bodies, const ShapeStore& shapes, const JointStore& joints, BroadPhase& broad_phase);
+    void add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const BodyStore& bodies, const ShapeStore& shapes,
+                       const JointStore& joints);
+    void list_pairs_of_movers();
+    Sweep rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies, const ShapeStore& shapes) const;
+    void seek_impact(std::uint32_t pair, float after, const BodyStore& bodies, const ShapeStore& shapes);
+    std::uint32_t version_of(const Pair& pair) const;
+    void resolve_impacts(const BodyStore& bodies, const ShapeStore& shapes);
+    void stop(std::uint32_t mover, float time, std::uint32_t by);
+    void place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead);
+    void find_crossings(const BodyStore& bodies, const ShapeStore& shapes);
+
+    std::pmr::vector<Mover> movers_;
+    std::pmr::vector<std::uint32_t> mover_of_body_; ///< by body slot; null_index
+    std::pmr::vector<Pair> pairs_;
+    std::pmr::vector<std::uint32_t> pairs_of_mover_;
+    std::pmr::vector<Pair> sensor_pairs_;
+    std::pmr::vector<Impact> impacts_; ///< a heap: the first comes first
+    std::pmr::vector<ProxyIndex> near_;
+    std::pmr::vector<Crossing> crossings_;
+};
+
+} // namespace carom::detail
