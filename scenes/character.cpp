@@ -46,6 +46,7 @@ private:
     void add_course();
     void add_crates();
     BodyId add_mover(Vec2 middle, Vec2 size);
+    void drive(BodyId id, Vec2 target);
     void drive_movers();
     void decide();
     bool has_ground_ahead() const;
@@ -61,6 +62,7 @@ private:
     BodyId ground_;
     BodyId ferry_;
     BodyId lift_;
+    BodyId player_body_; ///< goes with the player, so that the world's sensors and queries see it
     std::vector<BodyId> crates_;
     Character player_;
     Vec2 velocity_;
@@ -79,6 +81,8 @@ CharacterCourse::CharacterCourse(const SceneSetup& setup) : Scene(setup, {}), ra
     ferry_ = add_mover(ferry_middle, ferry_size);
     lift_ = add_mover(lift_middle, lift_size);
     add_crates();
+    player_body_ = world().create_body({.type = BodyType::Kinematic, .position = start, .name = "player"}, player_.def().geometry,
+                                       {.is_sensor = true});
 }
 
 void CharacterCourse::add_course()
@@ -120,17 +124,18 @@ BodyId CharacterCourse::add_mover(Vec2 middle, Vec2 size)
     return world().create_body({.type = BodyType::Kinematic, .position = middle}, rounded_box(size.x, size.y, 0.06f));
 }
 
-/// To where they shall be at the end of the coming step, so that things ride on them.
+/// To where it shall be at the end of the coming step, so that things ride on it.
+void CharacterCourse::drive(BodyId id, Vec2 target)
+{
+    Body body = world().body(id);
+    body.set_linear_velocity((target - body.position()) / time_step());
+}
+
 void CharacterCourse::drive_movers()
 {
     const auto then = static_cast<float>(time()) + time_step();
     // Slow at the ends, so that there is time to get on.
     const auto swing = [](float t) { return std::clamp(1.5f * sin_cos(t).sin, -1.0f, 1.0f); };
-    const auto drive = [&](BodyId id, Vec2 target)
-    {
-        Body body = world().body(id);
-        body.set_linear_velocity((target - body.position()) / time_step());
-    };
     drive(ferry_, ferry_middle + Vec2{ferry_way * swing(0.9f * then), 0});
     drive(lift_, lift_middle + Vec2{0, lift_way * swing(0.8f * then)});
 }
@@ -172,6 +177,7 @@ void CharacterCourse::before_step()
     wants_jump_ = false;
     velocity_ = player_.move(world(), velocity_, time_step());
     if (player_.position().y < lost_below) renew_player();
+    drive(player_body_, player_.position());
 
     trail_.push_back(player_.position());
     if (trail_.size() > trail_points) trail_.erase(trail_.begin());
@@ -180,6 +186,7 @@ void CharacterCourse::before_step()
 void CharacterCourse::renew_player()
 {
     player_.set_position(start);
+    world().body(player_body_).set_transform(start, 0);
     velocity_ = {};
     trail_.clear();
 }
@@ -207,6 +214,7 @@ void CharacterCourse::on_draw(DrawList& list) const
     for_each_shape(world(), [&](ShapeId id, const Geometry& geometry, const Transform& transform)
     {
         const BodyId body = world().shape(id).body();
+        if (body == player_body_) return;
         const Color color = body == ground_ ? slate : body == ferry_ || body == lift_ ? mover_color : crate_color;
         list.shape(Layer::Bodies, geometry, transform, {.fill = color, .line = body == ground_ ? Color{} : darker(color, 0.35f)});
     });

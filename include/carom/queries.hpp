@@ -76,7 +76,7 @@ class ShapeVisitor
 public:
     template <class Visit>
         requires std::is_invocable_v<Visit&, ShapeId> && (!std::is_same_v<std::remove_cvref_t<Visit>, ShapeVisitor>)
-    ShapeVisitor(Visit&& visit) // NOLINT: made on the fly
+    ShapeVisitor(Visit&& visit)
         : target_(const_cast<void*>(static_cast<const void*>(std::addressof(visit)))),
           call_(call<std::remove_reference_t<Visit>>)
     {
@@ -101,14 +101,14 @@ private:
 
 /// Pushes the dynamic bodies around a point, once, away from it. A shape gets an impulse at its point that is nearest to the centre, in proportion to
 /// the width that it turns towards the centre, as a blast wave would: large things are pushed harder and light things fly farther. What
-/// stands in between gives no cover.
+/// stands in between gives no cover. Sleepers wake.
 struct ExplosionDef
 {
     Vec2 center = {};            ///< [m]
     float radius = 1;            ///< shapes within are pushed with full force [m], >= 0
     float falloff = 0;           ///< beyond the radius the force falls to 0 over this distance, evenly [m], >= 0
     float impulse_per_metre = 0; ///< of width [N s/m]; negative pulls
-    QueryFilter filter = {};     ///< of its parts, `sensors` does not count: they have no substance
+    QueryFilter filter = {};     ///< which shapes it pushes; sensors never, whatever the filter says
 };
 
 /// How near two shapes are. In the world's frame.

@@ -54,7 +54,7 @@ struct Motion
 const Motion motions[] = {
     {"gentle", 1, 2, 0.5f, 0.2f, 0},           {"fast", 1, 10, 17, pi, 0}, // 1000 m/s and half a turn at 60 steps a second
     {"spinning in place", 1, 2, 0.05f, pi, 0}, {"no turn", 1, 10, 30, 0, 0},
-    {"small bullets", 0.05f, 0.5f, 17, pi, 0},    {"large", 30, 100, 200, pi, 0},
+    {"small bullets", 0.05f, 0.5f, 17, pi, 0}, {"large", 30, 100, 200, pi, 0},
     {"far out", 1, 4, 10, pi, 3000},
 };
 

@@ -334,6 +334,22 @@ TEST_F(QueriesTest, AnExplosionInsideOfABodyPushesItAsAWhole)
     EXPECT_EQ(world.body(centred).linear_velocity(), Vec2{});
 }
 
+TEST_F(QueriesTest, SleepersAreSeenAndAnExplosionWakesThem)
+{
+    const BodyId sleeper = world.create_body({.position = {3, 0}}, box(1, 1));
+    for (int i = 0; i < 120; ++i) world.step(1 / 60.0f);
+    ASSERT_FALSE(world.body(sleeper).is_awake());
+    EXPECT_TRUE(world.cast_ray({0, 0}, {5, 0}));
+    EXPECT_EQ(world.shapes_at({3, 0}).size(), 1u);
+    EXPECT_TRUE(world.closest_point({0, 0}, 5));
+    EXPECT_FALSE(world.body(sleeper).is_awake()) << "to be asked about wakes nobody";
+    EXPECT_EQ(world.explode({.radius = 1, .impulse_per_metre = 1}), 0);
+    EXPECT_FALSE(world.body(sleeper).is_awake()) << "out of reach";
+    EXPECT_EQ(world.explode({.radius = 4, .impulse_per_metre = 1}), 1);
+    EXPECT_TRUE(world.body(sleeper).is_awake());
+    EXPECT_NEAR(world.body(sleeper).linear_velocity().x, 1, 1e-4f);
+}
+
 // ---- mistakes ----
 
 TEST_F(QueriesTest, BadArgumentsAreNamed)

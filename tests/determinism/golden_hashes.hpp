@@ -20,6 +20,8 @@ inline constexpr std::array scenes = {
     SceneHash{"triggers", 0xdd748a15be11db95},
     SceneHash{"collisions", 0x6bfa75e51e603293},
     SceneHash{"gravity", 0x70a77992491f7bae},
+    SceneHash{"queries", 0x4b367f20849e0751},
+    SceneHash{"character", 0x76b49aca99d5d22},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x36c5c6cf5d1ea574;
