@@ -200,6 +200,23 @@ public:
     std::uint64_t hash() const;
     void debug_draw(DebugDraw& visitor) const;
 
+    // Copies.
+    /// A world of its own that goes on to the same bits as this one. Its ids carry a number of its own; translated() gives them. Events of the last
+    /// step and hooks are not copied.
+    /// @param memory where the copy's memory comes from; null is this world's resource
+    World copy(std::pmr::memory_resource* memory = nullptr) const;
+    /// Becomes what `saved` is, a copy that was made of this world before, or any other world: rollback. This world keeps its number, so that ids
+    /// from before the copy name the same things again. Needs no memory when the world was as large before.
+    void restore(const World& saved);
+    /// The id by which this world knows what `id` names in a world that this one was copied from, or was copied from this one.
+    template <class Tag>
+    Id<Tag> translated(Id<Tag> id) const
+    {
+        return id ? Id<Tag>{id.index, id.generation, number()} : id;
+    }
+    /// What the ids of this world carry.
+    std::uint32_t number() const;
+
 private:
     friend class Character;
     detail::WorldState& state() const;

@@ -36,17 +36,26 @@ void BodyStore::reserve(std::size_t count)
     watches.reserve(count + 1);
 }
 
+void BodyStore::make_room()
+{
+    const std::size_t count = records.size() + 1;
+    detail::make_room(motions, count);
+    detail::make_room(masses, count);
+    detail::make_room(drives, count);
+    detail::make_room(watches, count);
+}
+
 void BodyStore::make_room_for_one()
 {
     const std::size_t count = records.size() + 1;
-    make_room(records, count);
-    make_room(poses, count);
-    make_room(motion_index, count);
+    detail::make_room(records, count);
+    detail::make_room(poses, count);
+    detail::make_room(motion_index, count);
     // As if every body were active: activating one never allocates.
-    make_room(motions, count + 1);
-    make_room(masses, count + 1);
-    make_room(drives, count + 1);
-    make_room(watches, count + 1);
+    detail::make_room(motions, count + 1);
+    detail::make_room(masses, count + 1);
+    detail::make_room(drives, count + 1);
+    detail::make_room(watches, count + 1);
 }
 
 std::uint32_t BodyStore::create(const BodyDef& def)
@@ -57,7 +66,7 @@ std::uint32_t BodyStore::create(const BodyDef& def)
     const std::uint32_t slot = slots.acquire();
     if (slot == records.size())
     {
-        records.emplace_back(memory);
+        records.emplace_back();
         poses.emplace_back();
         motion_index.push_back(0);
     }

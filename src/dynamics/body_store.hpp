@@ -10,6 +10,7 @@
 #include <memory_resource>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace carom::detail
@@ -68,7 +69,16 @@ struct BodyPose
 /// The rest of a body, by slot.
 struct BodyRecord
 {
-    explicit BodyRecord(std::pmr::memory_resource* memory) : name(memory) {}
+    // Told of its allocator by the array that it lies in, so that a copy's name comes from the copy's memory.
+    using allocator_type = std::pmr::polymorphic_allocator<>;
+    explicit BodyRecord(const allocator_type& memory) : name(memory) {}
+    BodyRecord(const BodyRecord& other, const allocator_type& memory) : BodyRecord(memory) { *this = other; }
+    BodyRecord(BodyRecord&& other, const allocator_type& memory) : BodyRecord(memory) { *this = std::move(other); }
+    BodyRecord(const BodyRecord&) = default;
+    BodyRecord(BodyRecord&&) noexcept = default;
+    BodyRecord& operator=(const BodyRecord&) = default;
+    BodyRecord& operator=(BodyRecord&&) = default;
+    ~BodyRecord() = default;
 
     BodyType type = BodyType::Dynamic;
     bool is_enabled = true;
@@ -117,6 +127,8 @@ public:
     /// The body has no shapes and no contacts any more.
     void destroy(std::uint32_t slot);
     void reserve(std::size_t count);
+    /// Room to activate every body there is: what create() sees to, and a copy of the arrays does not bring along.
+    void make_room();
 
     /// Makes the dense arrays follow the record: type, enabled, asleep, mass, locks, damping, size.
     void refresh(std::uint32_t slot);

@@ -11,11 +11,11 @@ namespace carom::detail
 std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const ShapeDef& def)
 {
     const std::size_t count = records.size() + 1;
-    make_room(records, count);
-    make_room(geometry, count);
-    make_room(bounds, count);
-    make_room(place_in_moved, count);
-    make_room(moved, count); // so that marking a shape never allocates
+    detail::make_room(records, count);
+    detail::make_room(geometry, count);
+    detail::make_room(bounds, count);
+    detail::make_room(place_in_moved, count);
+    detail::make_room(moved, count); // so that marking a shape never allocates
     const std::uint32_t slot = slots.acquire();
     if (slot == records.size())
     {
@@ -37,6 +37,8 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
     bounds[slot] = {};
     return slot;
 }
+
+void ShapeStore::make_room() { detail::make_room(moved, records.size()); }
 
 void ShapeStore::destroy(std::uint32_t slot)
 {

@@ -55,6 +55,8 @@ public:
     std::uint32_t create(std::uint32_t body, Geometry shape, const ShapeDef& def);
     void destroy(std::uint32_t slot);
     void reserve(std::size_t count);
+    /// Room to mark every shape as moved: what create() sees to, and a copy of the arrays does not bring along.
+    void make_room();
 
     /// Asks for new pairs of this shape in the next step.
     void mark_moved(std::uint32_t slot);

@@ -75,16 +75,37 @@ void unlink_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
 
 } // namespace
 
+namespace
+{
+
+/// Room for the bodies to come in all lists that edits and steps put bodies on.
+void make_room_for_bodies(WorldState& world, std::size_t count)
+{
+    world.islands.make_room_for(count);
+    world.continuous.make_room_for(count);
+    make_room(world.fast, count);
+    make_room(world.events.fell_asleep, count);
+    make_room(world.events.woke, count);
+}
+
+} // namespace
+
 std::uint32_t create_body(WorldState& world, const BodyDef& def)
 {
-    world.islands.make_room_for(world.bodies.records.size() + 1);
-    world.continuous.make_room_for(world.bodies.records.size() + 1);
-    make_room(world.fast, world.bodies.records.size() + 1);
-    make_room(world.events.fell_asleep, world.bodies.records.size() + 1);
-    make_room(world.events.woke, world.bodies.records.size() + 1);
+    make_room_for_bodies(world, world.bodies.records.size() + 1);
     const std::uint32_t body = world.bodies.create(def);
     refresh_island(world, body);
     return body;
+}
+
+void reserve_for_edits(WorldState& world)
+{
+    make_room_for_bodies(world, world.bodies.records.size());
+    world.bodies.make_room();
+    world.shapes.make_room();
+    make_room(world.contacts.awake, world.contacts.contacts.size());
+    make_room(world.broken_joints, world.joints.joints.size());
+    make_room(world.events.joint_break, world.joints.joints.size());
 }
 
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def)

@@ -31,6 +31,20 @@ struct EventBuffers
     {
     }
 
+    /// Forgets the last step.
+    void clear()
+    {
+        contact_begin.clear();
+        contact_persist.clear();
+        contact_end.clear();
+        sensor_begin.clear();
+        sensor_persist.clear();
+        sensor_end.clear();
+        joint_break.clear();
+        fell_asleep.clear();
+        woke.clear();
+    }
+
     std::pmr::vector<ContactBegin> contact_begin;
     std::pmr::vector<ContactPersist> contact_persist;
     std::pmr::vector<ContactEnd> contact_end;

@@ -7,10 +7,12 @@
 #include "profile/stage_timer.hpp"
 #include "solver/integrate.hpp"
 #include "solver/softness.hpp"
+#include "world/check_state.hpp"
 #include "world/edits.hpp"
 #include "world/sleep.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace carom::detail
@@ -177,6 +179,7 @@ StepReport step(WorldState& world, float dt, int substeps)
         StageTimer timer(report, Stage::Sleep);
         put_islands_to_sleep(world);
     }
+    assert(first_fault(world).empty());
     ++world.step_count;
     count(world, allocations_before, report);
     report.seconds = std::chrono::duration<double>(StageTimer::Clock::now() - start).count();
