@@ -1,6 +1,7 @@
 // Calls the geometry's collide() for each contact and matches new points with old ones.
 #include "dynamics/narrow_phase.hpp"
 
+#include "dynamics/internal_edges.hpp"
 #include "geometry/distance.hpp"
 #include "geometry/manifold.hpp"
 
@@ -35,12 +36,14 @@ void keep_impulses(ContactPointState& point, const ContactManifold& old)
     }
 }
 
-ContactManifold collide_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactManifold& old)
+ContactManifold collide_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts,
+                             const ContactManifold& old)
 {
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
-    const LocalManifold local = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a);
+    const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a);
+    const LocalManifold local = without_internal_edges(alone, contact, bodies, shapes, contacts);
 
     ContactManifold manifold;
     manifold.count = local.count;
@@ -120,7 +123,7 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         else if (contact.is_sensor)
             manifold = overlap_pair(contact, bodies, shapes);
         else
-            manifold = collide_pair(contact, bodies, shapes, manifold);
+            manifold = collide_pair(contact, bodies, shapes, contacts, manifold);
 
         const bool has_points = manifold.count > 0;
         const bool has_color = contact.color != no_color;

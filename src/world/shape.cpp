@@ -26,7 +26,7 @@ std::uint32_t editable(const detail::WorldState& world, ShapeId id, std::string_
 
 /// Every contact of a shape: action(contact slot).
 template <class Action>
-void for_each_contact(const detail::WorldState& world, std::uint32_t shape, Action&& action)
+void for_each_contact_of_shape(const detail::WorldState& world, std::uint32_t shape, Action&& action)
 {
     std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
     while (edge != detail::null_index)
@@ -71,7 +71,7 @@ std::vector<ShapeId> ShapeView::touching() const
 {
     const std::uint32_t shape = require_shape(*world_, id_, "touching");
     std::vector<ShapeId> ids;
-    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
     {
         const detail::Contact& contact = world_->contacts.contacts[slot];
         const std::uint32_t other = contact.shape_a == shape ? contact.shape_b : contact.shape_a;
@@ -87,7 +87,8 @@ void Shape::set_material(const Material& material)
     detail::validate(material, "set_material");
     world_->shapes.records[shape].material = material;
     detail::wake_with_neighbors(*world_, world_->shapes.records[shape].body);
-    for_each_contact(*world_, shape, [&](std::uint32_t slot) { detail::mix_materials(world_->contacts.contacts[slot], world_->shapes); });
+    for_each_contact_of_shape(*world_, shape,
+                              [&](std::uint32_t slot) { detail::mix_materials(world_->contacts.contacts[slot], world_->shapes); });
 }
 
 void Shape::set_filter(const Filter& filter)
@@ -98,7 +99,7 @@ void Shape::set_filter(const Filter& filter)
     record.filter = filter;
     detail::wake_with_neighbors(*world_, record.body);
     world_->must_review = true;
-    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
     {
         const detail::Contact& contact = world_->contacts.contacts[slot];
         const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
@@ -121,7 +122,7 @@ void Shape::set_geometry(const Geometry& geometry)
     else
         world_->shapes.bounds[shape].tight = aabb_of(geometry, world_->bodies.poses[body].transform);
     // Features of the old geometry mean nothing on the new one.
-    for_each_contact(*world_, shape, [&](std::uint32_t slot)
+    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
     {
         detail::mix_materials(world_->contacts.contacts[slot], world_->shapes);
         detail::forget_impulses(world_->contacts.manifolds[slot]);

@@ -1,0 +1,56 @@
+// Questions about the surface that several shapes make together: which part of a face another shape hides, what lies in front of a corner,
+// and where a shape touches one given face.
+//
+// A shape is the hull of a few points grown by a radius (ConvexPoints). Face i runs from point i to the next, its outward normal to the
+// right. A capsule or a segment has two faces, one a side; a circle has none.
+#pragma once
+
+#include "geometry/distance.hpp"
+#include "geometry/manifold.hpp"
+#include "geometry/manifold_kernels.hpp"
+
+namespace carom::detail
+{
+
+/// Shapes of one surface whose edges or corners are no farther apart than this adjoin: the gap between them is no groove that a thing could
+/// fall into or catch on [m]. Test: Terrain.a_gap_of_4_mm_between_tiles_is_none.
+inline constexpr float adjoining_gap = linear_slop;
+
+inline int face_count(const ConvexPoints& shape) { return shape.count > 1 ? shape.count : 0; }
+Edge face_of(const ConvexPoints& shape, int face);
+Vec2 normal_of(const Edge& face); ///< unit, outward
+/// The same shape in another frame.
+ConvexPoints moved(const ConvexPoints& shape, const Transform& transform);
+/// From the shape's surface to the point, negative inside; for points inside only the sign is exact.
+float distance_to(const ConvexPoints& shape, Vec2 point);
+
+/// A stretch along a face, from its first corner [m]. Empty when end <= start.
+struct Stretch
+{
+    float start = 0;
+    float end = 0;
+};
+
+/// The part of the face before which `other` lies: where a point adjoining_gap outside of the face is inside it. A segment has no inside: it
+/// hides what is behind it.
+/// @param viewer which side of a segment is its front: the one that faces this point
+Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer);
+
+/// How far the point of `other` that lies farthest in front of a point of a surface does so, as a sine: 0 when all of it is behind the line
+/// across `normal`. Points of `other` within adjoining_gap do not count: heights may differ by that much.
+float rise_before(const ConvexPoints& other, Vec2 point, Vec2 normal);
+
+/// Where `other` touches the given face of `shape`, whatever face separates the two best.
+struct FaceContact
+{
+    LocalManifold manifold;     ///< in the common frame; the normal points from A to B
+    float face_separation = 0;  ///< of other's deepest point, over the face or not [m]
+    float point_separation = 0; ///< of the deepest contact point [m]
+};
+
+/// @param other      in the frame of `shape`
+/// @param slack      how far beyond the ends of the face still counts as over it [m]
+/// @param shape_is_b for the normal and the features
+FaceContact collide_on_face(const ConvexPoints& shape, int face, const ConvexPoints& other, float slack, bool shape_is_b, float margin);
+
+} // namespace carom::detail
