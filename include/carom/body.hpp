@@ -145,6 +145,7 @@ class ShapeView
 public:
     ShapeId id() const { return id_; }
     BodyId body() const;
+    ChainId chain() const;            ///< that it is a segment of; null when of none
     const Geometry& geometry() const; ///< in the body's frame; valid until any shape is created, changed or destroyed
     float density() const;
     const Material& material() const; ///< valid as long as geometry()
@@ -170,7 +171,7 @@ class Shape : public ShapeView
 public:
     void set_material(const Material& material); ///< also for contacts that exist
     void set_filter(const Filter& filter);       ///< contacts that it no longer allows end
-    void set_geometry(const Geometry& geometry); ///< and the body's mass with it, unless overridden
+    void set_geometry(const Geometry& geometry); ///< and the body's mass with it, unless overridden; not of a chain's segment
     void set_density(float density);             ///< and the body's mass with it, unless overridden
     void set_user_data(std::uint64_t user_data);
 

@@ -3,6 +3,7 @@
 
 #include <carom/body.hpp>
 #include <carom/broad_phase.hpp>
+#include <carom/chain.hpp>
 #include <carom/character.hpp>
 #include <carom/debug_draw.hpp>
 #include <carom/error.hpp>

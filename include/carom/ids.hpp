@@ -24,5 +24,6 @@ using BodyId = Id<struct BodyTag>;
 using ShapeId = Id<struct ShapeTag>;
 using FieldId = Id<struct FieldTag>;
 using JointId = Id<struct JointTag>;
+using ChainId = Id<struct ChainTag>;
 
 } // namespace carom

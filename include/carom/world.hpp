@@ -3,6 +3,7 @@
 
 #include <carom/body.hpp>
 #include <carom/broad_phase.hpp>
+#include <carom/chain.hpp>
 #include <carom/debug_draw.hpp>
 #include <carom/error.hpp>
 #include <carom/events.hpp>
@@ -69,7 +70,7 @@ struct WorldDef
 
 /// A simulation. Worlds know nothing of each other; one world is used by one thread at a time. Every call that changes a world
 /// throws UsageError on a bad argument, and then nothing has changed. So it is when the memory resource throws in a call that
-/// creates a body or a field. A step that the memory resource stops leaves a world that can be read and destroyed; changing it throws
+/// creates a body, a shape, a chain or a field. A step that the memory resource stops leaves a world that can be read and destroyed; changing it throws
 /// UsageError, and so does querying it. Lengths are in metres, masses in kilograms, times in
 /// seconds, angles in radians.
 class World
@@ -86,7 +87,9 @@ public:
     BodyId create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape = {});
     void destroy_body(BodyId id); ///< and its shapes
     ShapeId create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
-    void destroy_shape(ShapeId id);
+    void destroy_shape(ShapeId id); ///< not a chain's segment: those go all together
+    ChainId create_chain(BodyId body, const ChainDef& def);
+    void destroy_chain(ChainId id); ///< and its segments
 
     Body body(BodyId id); ///< throws UsageError on a stale id
     BodyView body(BodyId id) const;
@@ -96,6 +99,10 @@ public:
     ShapeView shape(ShapeId id) const;
     std::optional<Shape> find_shape(ShapeId id);
     std::optional<ShapeView> find_shape(ShapeId id) const;
+    Chain chain(ChainId id);
+    ChainView chain(ChainId id) const;
+    std::optional<Chain> find_chain(ChainId id);
+    std::optional<ChainView> find_chain(ChainId id) const;
     std::vector<BodyId> bodies() const; ///< ordered by index
 
     // Joints.

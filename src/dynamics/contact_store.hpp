@@ -36,6 +36,7 @@ struct Contact
     bool is_live = false;
     bool is_sensor = false;
     bool is_touching = false; ///< as the events have told it
+    bool is_passing = false;  ///< from behind through a one-sided segment
 };
 
 /// One point of a contact as the solver leaves it for the next step.

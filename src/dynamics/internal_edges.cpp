@@ -101,7 +101,7 @@ std::uint32_t shorter_list(const BodyStore& bodies, const ContactStore& contacts
     return a == null_index ? of_slider : of_tile;
 }
 
-/// Every other shape of the tile's surface that may be near the slider: action(shape, its body).
+/// Every other shape of the tile's surface that may be near the slider: action(shape, its body). A chain's segment knows its neighbours.
 template <class Action>
 void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts, const Roles& roles, Vec2 point,
                        Action&& action)
@@ -119,6 +119,9 @@ void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const 
         }
         return;
     }
+    const ShapeRecord& tile = shapes.records[roles.tile];
+    for (const std::uint32_t linked : {tile.previous_in_chain, tile.next_in_chain})
+        if (linked != null_index) action(linked, roles.tile_body);
     std::uint32_t next = null_index;
     for (std::uint32_t edge = shorter_list(bodies, contacts, roles); edge != null_index; edge = next)
     {
@@ -128,6 +131,7 @@ void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const 
         if (contact.is_sensor || (!slider_is_a && contact.shape_b != roles.slider)) continue;
         const std::uint32_t other = slider_is_a ? contact.shape_b : contact.shape_a;
         const std::uint32_t body = slider_is_a ? contact.body_b : contact.body_a;
+        if (other == tile.previous_in_chain || other == tile.next_in_chain) continue;
         if (other != roles.tile && move_as_one(bodies, roles.tile_body, body, point)) action(other, body);
     }
 }
@@ -167,13 +171,6 @@ float rise_at_most(const ShapeStore& shapes, std::uint32_t shape, const LocalMan
         rise = std::max(rise, dot(farthest - frame * on_tile(manifold, i, outward_in_frame), outward));
     }
     return rise;
-}
-
-Vec2 middle_of(const ConvexPoints& shape)
-{
-    Vec2 sum;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i) sum += shape.points[i];
-    return sum / static_cast<float>(shape.count);
 }
 
 Vec2 outward_of(const LocalManifold& manifold, const Surroundings& near) { return near.tile_is_b ? -manifold.normal : manifold.normal; }
@@ -321,15 +318,6 @@ LocalManifold judge(const Surroundings& near, const LocalManifold& manifold)
     return second.count == 0 && is_held_by_gap(near, manifold, outward, *blocker) ? manifold : second;
 }
 
-LocalManifold in_frame(const LocalManifold& manifold, const Transform& transform)
-{
-    LocalManifold result = manifold;
-    result.normal = rotate(transform.q, manifold.normal);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-        result.points[i].position = transform * manifold.points[i].position;
-    return result;
-}
-
 LocalManifold judge_side(const LocalManifold& manifold, const Contact& contact, bool tile_is_b, const BodyStore& bodies,
                          const ShapeStore& shapes, const ContactStore& contacts)
 {
@@ -375,7 +363,7 @@ LocalManifold judge_side(const LocalManifold& manifold, const Contact& contact, 
     });
     if (!tile_is_b) return judge(near, manifold);
     const Transform a_in_b = relative(frame, frame_a);
-    return in_frame(judge(near, in_frame(manifold, a_in_b)), relative(frame_a, frame));
+    return moved(judge(near, moved(manifold, a_in_b)), relative(frame_a, frame));
 }
 
 } // namespace

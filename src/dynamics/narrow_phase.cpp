@@ -2,6 +2,7 @@
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/internal_edges.hpp"
+#include "dynamics/one_sided.hpp"
 #include "geometry/distance.hpp"
 #include "geometry/manifold.hpp"
 
@@ -36,14 +37,15 @@ void keep_impulses(ContactPointState& point, const ContactManifold& old)
     }
 }
 
-ContactManifold collide_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts,
+ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts,
                              const ContactManifold& old)
 {
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
     const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a);
-    const LocalManifold local = without_internal_edges(alone, contact, bodies, shapes, contacts);
+    const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
+    const LocalManifold local = without_internal_edges(in_front, contact, bodies, shapes, contacts);
 
     ContactManifold manifold;
     manifold.count = local.count;
@@ -106,7 +108,7 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
     changes.clear();
     for (const std::uint32_t slot : contacts.awake)
     {
-        const Contact& contact = contacts.contacts[slot];
+        Contact& contact = contacts.contacts[slot];
 
         const ShapeBounds& a = shapes.bounds[contact.shape_a];
         const ShapeBounds& b = shapes.bounds[contact.shape_b];
@@ -119,7 +121,10 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         ContactManifold& manifold = contacts.manifolds[slot];
         const bool may_have_points = overlaps(expanded(a.tight, speculative_distance), b.tight);
         if (!may_have_points)
+        {
             manifold.count = 0;
+            if (!contact.is_sensor) keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
+        }
         else if (contact.is_sensor)
             manifold = overlap_pair(contact, bodies, shapes);
         else

@@ -19,6 +19,10 @@ struct ShapeRecord
     std::uint32_t body = null_index;
     std::uint32_t previous_of_body = null_index;
     std::uint32_t next_of_body = null_index;
+    std::uint32_t chain = null_index;             ///< that the shape is a segment of
+    std::uint32_t previous_in_chain = null_index; ///< the segment that ends where this one starts
+    std::uint32_t next_in_chain = null_index;
+    bool is_one_sided = false; ///< a segment that is solid on the right of the way from p1 to p2 only
     float density = 1;
     bool is_sensor = false;
     bool contact_events = true;

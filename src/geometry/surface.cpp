@@ -56,6 +56,22 @@ ConvexPoints moved(const ConvexPoints& shape, const Transform& transform)
     return result;
 }
 
+LocalManifold moved(const LocalManifold& manifold, const Transform& transform)
+{
+    LocalManifold result = manifold;
+    result.normal = rotate(transform.q, manifold.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+        result.points[i].position = transform * manifold.points[i].position;
+    return result;
+}
+
+Vec2 middle_of(const ConvexPoints& shape)
+{
+    Vec2 sum;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i) sum += shape.points[i];
+    return sum / static_cast<float>(shape.count);
+}
+
 float distance_to(const ConvexPoints& shape, Vec2 point)
 {
     if (shape.count == 1) return distance(shape.points[0], point) - shape.radius;

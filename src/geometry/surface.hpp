@@ -21,6 +21,8 @@ Edge face_of(const ConvexPoints& shape, int face);
 Vec2 normal_of(const Edge& face); ///< unit, outward
 /// The same shape in another frame.
 ConvexPoints moved(const ConvexPoints& shape, const Transform& transform);
+LocalManifold moved(const LocalManifold& manifold, const Transform& transform);
+Vec2 middle_of(const ConvexPoints& shape); ///< the mean of its points
 /// From the shape's surface to the point, negative inside; for points inside only the sign is exact.
 float distance_to(const ConvexPoints& shape, Vec2 point);
 

@@ -2,6 +2,7 @@
 #include "world/edits.hpp"
 
 #include "dynamics/finalize_bodies.hpp"
+#include "dynamics/find_pairs.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
@@ -133,11 +134,17 @@ void destroy_shape(WorldState& world, std::uint32_t shape)
 {
     const std::uint32_t body = world.shapes.records[shape].body;
     wake_body(world, body);
+    remove_shape(world, shape);
+    refresh_mass(world, body);
+}
+
+void remove_shape(WorldState& world, std::uint32_t shape)
+{
+    const std::uint32_t body = world.shapes.records[shape].body;
     destroy_contacts_of_shape(world, shape);
     if (world.bodies.records[body].is_enabled) remove_proxy(world, shape);
     unlink_shape(world, body, shape);
     world.shapes.destroy(shape);
-    refresh_mass(world, body);
 }
 
 void destroy_body(WorldState& world, std::uint32_t body)
@@ -149,6 +156,8 @@ void destroy_body(WorldState& world, std::uint32_t body)
     for_each_shape(world, body, [&](std::uint32_t shape)
     {
         if (has_proxies) remove_proxy(world, shape);
+        const std::uint32_t chain = world.shapes.records[shape].chain;
+        if (chain != null_index && world.chains.records[chain].first_shape == shape) world.chains.destroy(chain);
         world.shapes.destroy(shape);
     });
     if (world.bodies.records[body].island != null_index) world.islands.remove(body, world.bodies);
@@ -177,14 +186,30 @@ void destroy_contacts_of_body(WorldState& world, std::uint32_t body)
 
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape)
 {
-    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
-    while (edge != null_index)
+    for_each_contact_of_shape(world, shape, [&](std::uint32_t contact) { destroy_contact(world, contact); });
+}
+
+void set_material(WorldState& world, std::uint32_t shape, const Material& material)
+{
+    world.shapes.records[shape].material = material;
+    wake_with_neighbors(world, world.shapes.records[shape].body);
+    for_each_contact_of_shape(world, shape, [&](std::uint32_t contact) { mix_materials(world.contacts.contacts[contact], world.shapes); });
+}
+
+void set_filter(WorldState& world, std::uint32_t shape, const Filter& filter)
+{
+    ShapeRecord& record = world.shapes.records[shape];
+    if (record.filter == filter) return;
+    record.filter = filter;
+    wake_with_neighbors(world, record.body);
+    world.must_review = true;
+    for_each_contact_of_shape(world, shape, [&](std::uint32_t slot)
     {
-        const Contact& pair = world.contacts.contacts[edge / 2];
-        const std::uint32_t next = pair.next[edge % 2];
-        if (pair.shape_a == shape || pair.shape_b == shape) destroy_contact(world, edge / 2);
-        edge = next;
-    }
+        const Contact& contact = world.contacts.contacts[slot];
+        if (!judge_pair(world.shapes, world.bodies, world.joints, {contact.shape_a, contact.shape_b}).makes_contact)
+            destroy_contact(world, slot);
+    });
+    if (world.bodies.records[record.body].is_enabled) world.shapes.mark_moved(shape);
 }
 
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type)

@@ -14,6 +14,8 @@ std::uint32_t create_body(WorldState& world, const BodyDef& def);
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
 void destroy_body(WorldState& world, std::uint32_t body);
 void destroy_shape(WorldState& world, std::uint32_t shape);
+/// The same, but the body's mass stays as it is.
+void remove_shape(WorldState& world, std::uint32_t shape);
 
 /// Ends a contact: its event, its colour, its pair, its place.
 void destroy_contact(WorldState& world, std::uint32_t contact);
@@ -30,6 +32,25 @@ void wake_ends(WorldState& world, const Joint& joint);
 /// Takes joints in or out of the solver, as their bodies ask.
 void refresh_joints_of_body(WorldState& world, std::uint32_t body);
 void retire_joints_of_body(WorldState& world, std::uint32_t body);
+
+/// Every contact of a shape: action(contact slot), which may destroy it.
+template <class Action>
+void for_each_contact_of_shape(const WorldState& world, std::uint32_t shape, Action&& action)
+{
+    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
+    while (edge != null_index)
+    {
+        const Contact& contact = world.contacts.contacts[edge / 2];
+        const std::uint32_t next = contact.next[edge % 2];
+        if (contact.shape_a == shape || contact.shape_b == shape) action(edge / 2);
+        edge = next;
+    }
+}
+
+/// For the contacts that exist too.
+void set_material(WorldState& world, std::uint32_t shape, const Material& material);
+/// Ends the contacts that the filter no longer allows, and looks for those that it now does.
+void set_filter(WorldState& world, std::uint32_t shape, const Filter& filter);
 
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type);
 void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled);

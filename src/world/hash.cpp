@@ -93,6 +93,19 @@ void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
         hasher.add_all(shape.filter.category, shape.filter.mask, static_cast<std::uint32_t>(shape.filter.group));
         hasher.add_all(shapes.bounds[slot].fat, shapes.place_in_moved[slot] != detail::null_index);
         add_geometry(hasher, shapes.geometry[slot]);
+        if (shape.chain != detail::null_index)
+            hasher.add_all(shape.chain, shape.previous_in_chain, shape.next_in_chain, shape.is_one_sided);
+    }
+}
+
+void add_chains(Hasher& hasher, const detail::ChainStore& chains)
+{
+    if (chains.slots.size() > 0) add_slots(hasher, chains.slots);
+    for (std::uint32_t slot = 0; slot < chains.slots.size(); ++slot)
+    {
+        if (!chains.slots.is_live(slot)) continue;
+        const detail::ChainRecord& chain = chains.records[slot];
+        hasher.add_all(chain.body, chain.first_shape, chain.segment_count, chain.is_loop, chain.is_one_sided);
     }
 }
 
@@ -106,6 +119,7 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
         const detail::ContactManifold& manifold = contacts.manifolds[slot];
         hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.index_in_color, contact.is_touching);
         hasher.add_all(contact.next[0], contact.next[1], contact.place_in_awake);
+        if (contact.is_passing) hasher.add(contact.is_passing);
         hasher.add_all(contact.friction, contact.restitution, contact.rolling_resistance, contact.tangent_speed);
         hasher.add_all(manifold.count, manifold.normal, manifold.rolling_impulse, manifold.carried_impulse);
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
@@ -194,6 +208,7 @@ std::uint64_t World::hash() const
     hasher.add_all(world.sleep.is_enabled, world.sleep.speed, world.sleep.time, world.is_continuous);
     add_bodies(hasher, world.bodies);
     add_shapes(hasher, world.shapes);
+    add_chains(hasher, world.chains);
     add_contacts(hasher, world.contacts);
     add_joints(hasher, world.joints);
     add_fields(hasher, world.fields);

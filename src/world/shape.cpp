@@ -1,9 +1,9 @@
 // The views of a shape: every call checks that the shape still exists.
 #include <carom/body.hpp>
 
-#include "dynamics/find_pairs.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "geometry/validate.hpp"
+#include "world/chain_edits.hpp"
 #include "world/edits.hpp"
 #include "world/sleep.hpp"
 #include "world/validate.hpp"
@@ -13,6 +13,7 @@
 namespace carom
 {
 
+using detail::for_each_contact_of_shape;
 using detail::require_shape;
 
 namespace
@@ -24,26 +25,19 @@ std::uint32_t editable(const detail::WorldState& world, ShapeId id, std::string_
     return require_shape(world, id, function);
 }
 
-/// Every contact of a shape: action(contact slot).
-template <class Action>
-void for_each_contact_of_shape(const detail::WorldState& world, std::uint32_t shape, Action&& action)
-{
-    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
-    while (edge != detail::null_index)
-    {
-        const detail::Contact& contact = world.contacts.contacts[edge / 2];
-        const std::uint32_t next = contact.next[edge % 2];
-        if (contact.shape_a == shape || contact.shape_b == shape) action(edge / 2);
-        edge = next;
-    }
-}
-
 } // namespace
 
 BodyId ShapeView::body() const
 {
     const std::uint32_t body = world_->shapes.records[require_shape(*world_, id_, "body")].body;
     return {body, world_->bodies.slots.generation(body), world_->world};
+}
+
+ChainId ShapeView::chain() const
+{
+    const std::uint32_t chain = world_->shapes.records[require_shape(*world_, id_, "chain")].chain;
+    if (chain == detail::null_index) return {};
+    return {chain, world_->chains.slots.generation(chain), world_->world};
 }
 
 const Geometry& ShapeView::geometry() const { return world_->shapes.geometry[require_shape(*world_, id_, "geometry")]; }
@@ -85,32 +79,19 @@ void Shape::set_material(const Material& material)
 {
     const std::uint32_t shape = editable(*world_, id_, "set_material");
     detail::validate(material, "set_material");
-    world_->shapes.records[shape].material = material;
-    detail::wake_with_neighbors(*world_, world_->shapes.records[shape].body);
-    for_each_contact_of_shape(*world_, shape,
-                              [&](std::uint32_t slot) { detail::mix_materials(world_->contacts.contacts[slot], world_->shapes); });
+    detail::set_material(*world_, shape, material);
 }
 
 void Shape::set_filter(const Filter& filter)
 {
     const std::uint32_t shape = editable(*world_, id_, "set_filter");
-    detail::ShapeRecord& record = world_->shapes.records[shape];
-    if (record.filter == filter) return;
-    record.filter = filter;
-    detail::wake_with_neighbors(*world_, record.body);
-    world_->must_review = true;
-    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
-    {
-        const detail::Contact& contact = world_->contacts.contacts[slot];
-        const detail::ProxyPair pair = {contact.shape_a, contact.shape_b};
-        if (!detail::judge_pair(world_->shapes, world_->bodies, world_->joints, pair).makes_contact) detail::destroy_contact(*world_, slot);
-    });
-    if (world_->bodies.records[record.body].is_enabled) world_->shapes.mark_moved(shape);
+    detail::set_filter(*world_, shape, filter);
 }
 
 void Shape::set_geometry(const Geometry& geometry)
 {
     const std::uint32_t shape = editable(*world_, id_, "set_geometry");
+    detail::require_no_segment(*world_, shape, "set_geometry", "make another chain");
     detail::validate(geometry, "set_geometry");
     detail::validate_density(geometry, world_->shapes.records[shape].density, "set_geometry");
     const std::uint32_t body = world_->shapes.records[shape].body;

@@ -2,7 +2,10 @@
 #include "world/validate.hpp"
 
 #include "geometry/mass.hpp"
+#include "geometry/validate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace carom::detail
@@ -14,6 +17,13 @@ namespace
 /// Largest mass [kg] and inertia [kg m^2] that the solver computes with safely.
 constexpr float max_mass = 1e20f;
 constexpr float min_mass = 1e-12f;
+
+/// False for NaN. The names of fields are put together only when this is false.
+bool is_in_range(const Material& m)
+{
+    return m.friction >= 0 && m.friction <= max_factor && m.restitution >= 0 && m.restitution <= 1 && m.rolling_resistance >= 0 &&
+           m.rolling_resistance <= max_factor && std::abs(m.tangent_speed) <= max_speed;
+}
 
 template <class Tag>
 std::uint32_t require_id(const SlotPool& slots, Id<Tag> id, std::uint32_t world, std::string_view function, std::string_view what)
@@ -58,6 +68,11 @@ std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_vie
 std::uint32_t require_joint(const WorldState& world, JointId id, std::string_view function)
 {
     return require_id(world.joints.slots, id, world.world, function, "joint");
+}
+
+std::uint32_t require_chain(const WorldState& world, ChainId id, std::string_view function)
+{
+    return require_id(world.chains.slots, id, world.world, function, "chain");
 }
 
 std::uint32_t require_field(const WorldState& world, FieldId id, std::string_view function)
@@ -138,12 +153,45 @@ void validate(const BodyDef& def, std::string_view function)
     require_range(function, "gravity_scale", def.gravity_scale, -max_factor, max_factor);
 }
 
-void validate(const Material& material, std::string_view function)
+void validate(const Material& material, std::string_view function, std::string_view prefix)
 {
-    require_range(function, "material.friction", material.friction, 0, max_factor);
-    require_range(function, "material.restitution", material.restitution, 0, 1);
-    require_range(function, "material.rolling_resistance", material.rolling_resistance, 0, max_factor);
-    require_range(function, "material.tangent_speed", material.tangent_speed, -max_speed, max_speed);
+    if (is_in_range(material)) return;
+    const auto require = [&](std::string_view name, float value, float min, float max)
+    { require_range(function, std::string(prefix).append(name), value, min, max); };
+    require("friction", material.friction, 0, max_factor);
+    require("restitution", material.restitution, 0, 1);
+    require("rolling_resistance", material.rolling_resistance, 0, max_factor);
+    require("tangent_speed", material.tangent_speed, -max_speed, max_speed);
+}
+
+void validate(const ChainDef& def, std::string_view function)
+{
+    constexpr std::size_t most_points = 1000000;
+    const std::size_t count = def.points.size();
+    require_range(function, "points.size", static_cast<std::int64_t>(std::min(count, most_points + 1)), def.is_loop ? 3 : 2, most_points);
+    const int sides = static_cast<int>(def.sides);
+    if (sides < 0 || sides > static_cast<int>(ChainSides::OneSided)) usage_error(function, "sides", sides, "give a ChainSides");
+
+    const auto name_of = [](std::string_view array, std::size_t i) { return std::string(array) + "[" + std::to_string(i) + "]"; };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const Vec2 point = def.points[i];
+        const bool is_within = std::abs(point.x) <= max_coordinate && std::abs(point.y) <= max_coordinate; // false for NaN
+        if (!is_within) require_within(function, name_of("points", i), point, max_coordinate);
+    }
+    const std::size_t segments = def.is_loop ? count : count - 1;
+    for (std::size_t i = 0; i < segments; ++i)
+    {
+        const std::size_t next = i + 1 < count ? i + 1 : 0;
+        if (distance(def.points[i], def.points[next]) >= 0.999f * min_edge_length) continue;
+        usage_error(function, name_of("points", next), def.points[next], "give neighbours that are at least 1 mm apart");
+    }
+    if (def.materials.size() > 1 && def.materials.size() != segments)
+        usage_error(function, "materials.size", def.materials.size(), "give none, one, or one for each segment");
+    for (std::size_t i = 0; i < def.materials.size(); ++i)
+    {
+        if (!is_in_range(def.materials[i])) validate(def.materials[i], function, name_of("materials", i) + ".");
+    }
 }
 
 void validate(const ShapeDef& def, std::string_view function)

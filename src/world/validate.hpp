@@ -20,12 +20,15 @@ void require_queryable(const WorldState& world, std::string_view function); ///<
 std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function);
 std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_view function);
 std::uint32_t require_joint(const WorldState& world, JointId id, std::string_view function);
+std::uint32_t require_chain(const WorldState& world, ChainId id, std::string_view function);
 std::uint32_t require_field(const WorldState& world, FieldId id, std::string_view function);
 
 void validate(const WorldDef& def, std::string_view function);
 void validate(const BodyDef& def, std::string_view function);
 void validate(const ShapeDef& def, std::string_view function);
-void validate(const Material& material, std::string_view function);
+/// @param prefix of the fields' names
+void validate(const Material& material, std::string_view function, std::string_view prefix = "material.");
+void validate(const ChainDef& def, std::string_view function);
 void validate(const Field& field, std::string_view function);
 void validate(const SleepTuning& tuning, std::string_view function);
 void validate(const SolverTuning& tuning, std::string_view function);

@@ -3,6 +3,7 @@
 
 #include "geometry/validate.hpp"
 #include "memory/make_room.hpp"
+#include "world/chain_edits.hpp"
 #include "world/edits.hpp"
 #include "world/sleep.hpp"
 #include "world/step.hpp"
@@ -111,7 +112,26 @@ void World::destroy_shape(ShapeId id)
 {
     WorldState& world = state();
     require_idle(world, "destroy_shape");
-    detail::destroy_shape(world, require_shape(world, id, "destroy_shape"));
+    const std::uint32_t shape = require_shape(world, id, "destroy_shape");
+    detail::require_no_segment(world, shape, "destroy_shape", "destroy the chain");
+    detail::destroy_shape(world, shape);
+}
+
+ChainId World::create_chain(BodyId id, const ChainDef& def)
+{
+    WorldState& world = state();
+    require_idle(world, "create_chain");
+    const std::uint32_t body = require_body(world, id, "create_chain");
+    detail::validate(def, "create_chain");
+    const std::uint32_t chain = detail::create_chain(world, body, def);
+    return {chain, world.chains.slots.generation(chain), world.world};
+}
+
+void World::destroy_chain(ChainId id)
+{
+    WorldState& world = state();
+    require_idle(world, "destroy_chain");
+    detail::destroy_chain(world, detail::require_chain(world, id, "destroy_chain"));
 }
 
 Body World::body(BodyId id)
@@ -164,6 +184,32 @@ std::optional<ShapeView> World::find_shape(ShapeId id) const
     WorldState& world = state();
     if (id.world != world.world || !world.shapes.slots.is_live(id.index, id.generation)) return std::nullopt;
     return ShapeView(world, id);
+}
+
+Chain World::chain(ChainId id)
+{
+    detail::require_chain(state(), id, "chain");
+    return {state(), id};
+}
+
+ChainView World::chain(ChainId id) const
+{
+    detail::require_chain(state(), id, "chain");
+    return {state(), id};
+}
+
+std::optional<Chain> World::find_chain(ChainId id)
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.chains.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return Chain(world, id);
+}
+
+std::optional<ChainView> World::find_chain(ChainId id) const
+{
+    WorldState& world = state();
+    if (id.world != world.world || !world.chains.slots.is_live(id.index, id.generation)) return std::nullopt;
+    return ChainView(world, id);
 }
 
 std::vector<BodyId> World::bodies() const

@@ -29,6 +29,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       fields(memory),
       bodies(memory),
       shapes(memory),
+      chains(memory),
       contacts(memory),
       joints(memory),
       islands(memory),

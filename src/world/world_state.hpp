@@ -4,6 +4,7 @@
 #include "broadphase/broad_phase.hpp"
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
+#include "dynamics/chain_store.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/island_store.hpp"
 #include "dynamics/joint_store.hpp"
@@ -49,6 +50,7 @@ struct WorldState
     // What the world is made of.
     BodyStore bodies;
     ShapeStore shapes;
+    ChainStore chains;
     ContactStore contacts;
     JointStore joints;
     IslandStore islands;

@@ -74,6 +74,15 @@ void boxes_that_overlap(World& world)
     tile_bodies(world, [](int) { return box(1.3f, 1); });
 }
 
+void chain_of_200_segments(World& world, ChainSides sides)
+{
+    std::vector<Vec2> points;
+    for (int i = tiles + 5; i >= -5; --i) points.push_back({at(i), 0}); // the front is on the right of the way: above
+    world.create_chain(world.create_body({.type = BodyType::Static}), {.points = points, .sides = sides});
+}
+void two_sided_chain(World& world) { chain_of_200_segments(world, ChainSides::TwoSided); }
+void one_sided_chain(World& world) { chain_of_200_segments(world, ChainSides::OneSided); }
+
 enum class Slider
 {
     Ball,
@@ -183,6 +192,9 @@ TEST(Terrain, nothing_bumps_on_segments_end_to_end) { expect_no_bumps(segments, 
 TEST(Terrain, nothing_bumps_on_capsules_end_to_end) { expect_no_bumps(capsules, "capsules"); }
 TEST(Terrain, nothing_bumps_on_slightly_rounded_boxes) { expect_no_bumps(rounded_boxes, "rounded"); }
 TEST(Terrain, a_gap_of_4_mm_between_tiles_is_none) { expect_no_bumps(boxes_with_gaps, "gaps"); }
+
+TEST(Terrain, nothing_bumps_on_a_chain) { expect_no_bumps(two_sided_chain, "chain"); }
+TEST(Terrain, nothing_bumps_on_a_one_sided_chain) { expect_no_bumps(one_sided_chain, "one-sided chain"); }
 
 TEST(Terrain, nothing_bumps_on_tiles_that_move_together)
 {
@@ -317,6 +329,78 @@ TEST(Terrain, a_body_of_several_boxes_slides_like_one)
         EXPECT_NEAR(world.body(sled).position().y, 0.25f, 0.001f);
         EXPECT_GT(world.body(sled).linear_velocity().x, 19.8f);
     }
+}
+
+TEST(Terrain, a_ball_follows_a_hilly_chain_and_keeps_its_energy)
+{
+    World world({.gravity = {0, -10}});
+    std::vector<Vec2> points;
+    for (int i = 1000; i >= 0; --i)
+    {
+        const float x = 0.1f * at(i);
+        points.push_back({x, 2 * sin_cos(0.3f * x).cos}); // hills 21 m long and 4 m high
+    }
+    const BodyId ground = world.create_body({.type = BodyType::Static});
+    world.create_chain(ground, {.points = points, .sides = ChainSides::OneSided});
+    const BodyId ball =
+        world.create_body({.position = {10.5f, -1.45f}, .linear_velocity = {12, 0}}, circle(0.5f), {.material = {.friction = 0}});
+    const auto energy = [&] { return 0.5f * length_squared(world.body(ball).linear_velocity()) + 10 * world.body(ball).position().y; };
+    for (int i = 0; i < 10; ++i) world.step(dt); // it starts beside the slope
+    const float start = energy();
+    while (world.body(ball).position().x < 95)
+    {
+        world.step(dt);
+        ASSERT_GT(world.body(ball).linear_velocity().x, 0);
+    }
+    // Over 84 m of hills. The valleys take what their bends take as inelastic bumps, less with shorter segments and steps.
+    EXPECT_GT(energy(), 0.85f * start);
+    EXPECT_LT(energy(), 1.01f * start);
+}
+
+TEST(Terrain, a_one_sided_chain_lets_through_what_comes_from_behind_and_holds_what_comes_back)
+{
+    for (const bool is_ball : {true, false})
+    {
+        Pit pit;
+        const std::vector<Vec2> points = {{5, 0}, {1, 0}, {-1, 0}, {-5, 0}};
+        pit.world.create_chain(pit.world.create_body({.type = BodyType::Static}), {.points = points, .sides = ChainSides::OneSided});
+        const BodyId body = pit.add(is_ball ? Geometry(circle(0.5f)) : box(1, 1), {0.9f, -2});
+        pit.world.body(body).set_linear_velocity({0, 9});
+        float highest = -2;
+        for (int i = 0; i < 240; ++i)
+        {
+            pit.world.step(dt);
+            // Never faster than gravity lets it: nothing pulls it through.
+            ASSERT_TRUE(i >= 50 || std::abs(pit.world.body(body).linear_velocity().y - (9 - 10 * dt * at(i + 1))) < 0.001f) << i;
+            highest = std::max(highest, pit.world.body(body).position().y);
+        }
+        EXPECT_NEAR(highest, -2 + 81 / 20.0f, 0.2f);
+        EXPECT_NEAR(pit.world.body(body).position().y, 0.5f, 0.005f);
+    }
+}
+
+TEST(Terrain, what_turns_back_half_way_through_a_one_sided_chain_falls_back)
+{
+    Pit pit;
+    const std::vector<Vec2> points = {{5, 0}, {-5, 0}};
+    pit.world.create_chain(pit.world.create_body({.type = BodyType::Static}), {.points = points, .sides = ChainSides::OneSided});
+    const BodyId body = pit.add(box(1, 1), {0, -2});
+    pit.world.body(body).set_linear_velocity({0, std::sqrt(2 * 10 * 2.2f)}); // up to a middle of 0.2 m
+    pit.run(120);
+    EXPECT_LT(pit.world.body(body).position().y, -2);
+}
+
+TEST(Terrain, a_loop_that_runs_counter_clockwise_is_solid_inside)
+{
+    Pit pit;
+    const std::vector<Vec2> square = {{-2, -2}, {2, -2}, {2, 0}, {-2, 0}};
+    pit.world.create_chain(pit.world.create_body({.type = BodyType::Static}),
+                           {.points = square, .is_loop = true, .sides = ChainSides::OneSided});
+    const BodyId above = pit.add(box(0.5f, 0.5f), {0, 1});
+    const BodyId inside = pit.add(box(0.5f, 0.5f), {0, -1});
+    pit.run(180);
+    EXPECT_NEAR(pit.world.body(above).position().y, 0.25f, 0.005f);
+    EXPECT_LT(pit.world.body(inside).position().y, -5);
 }
 
 } // namespace carom

@@ -6,6 +6,7 @@
 #include <memory_resource>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace carom
 {
@@ -119,6 +120,40 @@ TEST(Regression, a_body_whose_shape_memory_does_not_suffice_for_is_not_left_with
         }
         ASSERT_EQ(memory.bytes, 0u);
     }
+}
+
+TEST(Regression, a_chain_that_memory_does_not_suffice_for_has_no_segments)
+{
+    const std::vector<Vec2> points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+    int failures = 0;
+    for (int allowance = 0; allowance < most_requests; ++allowance)
+    {
+        DryingResource memory;
+        {
+            World world({.memory = &memory});
+            const BodyId body = world.create_body({.type = BodyType::Static}, circle(1));
+            memory.allowance = allowance;
+            bool has_failed = false;
+            try
+            {
+                world.create_chain(body, {.points = points, .is_loop = true});
+            }
+            catch (const std::bad_alloc&)
+            {
+                has_failed = true;
+                ++failures;
+            }
+            memory.allowance = 1 << 30;
+            ASSERT_EQ(world.shape_count(), has_failed ? 1 : 7);
+            ASSERT_EQ(world.body(body).shapes().size(), has_failed ? 1u : 7u);
+            const ChainId next = world.create_chain(body, {.points = points});
+            ASSERT_EQ(world.chain(next).segment_count(), 5);
+            world.step(1 / 60.0f);
+            world.destroy_chain(next);
+        }
+        ASSERT_EQ(memory.bytes, 0u);
+    }
+    EXPECT_GT(failures, 5);
 }
 
 TEST(Regression, a_field_that_memory_does_not_suffice_for_is_not_there)

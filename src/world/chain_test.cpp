@@ -1,0 +1,157 @@
+// Chains as things of a world: made, read, changed and taken away.
+#include <carom/carom.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace carom
+{
+
+namespace
+{
+
+const std::vector<Vec2> line = {{3, 0}, {2, 0}, {1, 0.5f}, {0, 0}};
+
+template <class Call>
+std::string message_of(Call&& call)
+{
+    try
+    {
+        call();
+    }
+    catch (const UsageError& error)
+    {
+        return error.what();
+    }
+    return "accepted";
+}
+
+struct ChainTest : testing::Test
+{
+    World world;
+    BodyId ground = world.create_body({.type = BodyType::Static});
+};
+
+} // namespace
+
+TEST_F(ChainTest, an_open_chain_has_a_segment_less_than_points_and_a_loop_as_many)
+{
+    const ChainId open = world.create_chain(ground, {.points = line});
+    const ChainId loop = world.create_chain(ground, {.points = line, .is_loop = true, .sides = ChainSides::OneSided, .user_data = 7});
+    EXPECT_EQ(world.chain(open).segment_count(), 3);
+    EXPECT_EQ(world.chain(loop).segment_count(), 4);
+    EXPECT_EQ(world.chain(loop).segments().size(), 4u);
+    EXPECT_EQ(world.shape_count(), 7);
+    EXPECT_TRUE(world.chain(loop).is_loop());
+    EXPECT_EQ(world.chain(loop).sides(), ChainSides::OneSided);
+    EXPECT_EQ(world.chain(open).sides(), ChainSides::TwoSided);
+    EXPECT_EQ(world.chain(loop).user_data(), 7u);
+    EXPECT_EQ(world.chain(open).body(), ground);
+
+    const std::vector<ShapeId> segments = world.chain(loop).segments();
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        const Segment& segment = std::get<Segment>(world.shape(segments[i]).geometry());
+        EXPECT_EQ(segment.p1, line[i]);
+        EXPECT_EQ(segment.p2, line[(i + 1) % 4]);
+        EXPECT_EQ(world.shape(segments[i]).chain(), loop);
+    }
+    const ShapeId other = world.create_shape(ground, circle(1));
+    EXPECT_EQ(world.shape(other).chain(), ChainId{});
+}
+
+TEST_F(ChainTest, each_segment_may_have_its_own_material)
+{
+    const std::vector<Material> materials = {{.friction = 0.1f}, {.friction = 0.2f}, {.friction = 0.3f}};
+    const ChainId chain = world.create_chain(ground, {.points = line, .materials = materials});
+    EXPECT_EQ(world.chain(chain).material(1).friction, 0.2f);
+    world.chain(chain).set_material(1, {.friction = 0.9f});
+    EXPECT_EQ(world.chain(chain).material(0).friction, 0.1f);
+    EXPECT_EQ(world.chain(chain).material(1).friction, 0.9f);
+    world.chain(chain).set_material(world.chain(chain).material(2)); // one of those that change
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(world.chain(chain).material(i).friction, 0.3f);
+    EXPECT_EQ(message_of([&] { world.chain(chain).set_material(3, {}); }), "set_material: segment is 3; give a value from 0 to 2");
+}
+
+TEST_F(ChainTest, a_chain_is_destroyed_as_a_whole_and_with_its_body)
+{
+    const ChainId chain = world.create_chain(ground, {.points = line, .is_loop = true});
+    const std::vector<ShapeId> segments = world.chain(chain).segments();
+    EXPECT_EQ(message_of([&] { world.destroy_shape(segments[1]); }), "destroy_shape: shape is a segment of a chain; destroy the chain");
+    EXPECT_EQ(message_of([&] { world.shape(segments[1]).set_geometry(circle(1)); }),
+              "set_geometry: shape is a segment of a chain; make another chain");
+    world.destroy_chain(chain);
+    EXPECT_EQ(world.shape_count(), 0);
+    EXPECT_FALSE(world.find_chain(chain));
+    EXPECT_FALSE(world.find_shape(segments[0]));
+    EXPECT_THROW(world.chain(chain), UsageError);
+
+    const ChainId again = world.create_chain(ground, {.points = line});
+    EXPECT_NE(again, chain);
+    world.destroy_body(ground);
+    EXPECT_FALSE(world.find_chain(again));
+    EXPECT_EQ(world.shape_count(), 0);
+}
+
+TEST_F(ChainTest, what_lies_on_it_falls_when_it_goes_and_the_end_is_told)
+{
+    const ChainId chain = world.create_chain(ground, {.points = line});
+    const BodyId ball = world.create_body({.position = {1, 1.1f}}, circle(0.5f));
+    while (world.events().contact_begin.empty()) world.step(1 / 60.0f);
+    world.destroy_chain(chain);
+    world.step(1 / 60.0f);
+    EXPECT_FALSE(world.events().contact_end.empty());
+    for (int i = 0; i < 60; ++i) world.step(1 / 60.0f);
+    EXPECT_LT(world.body(ball).position().y, 0);
+}
+
+TEST_F(ChainTest, a_filter_of_the_chain_is_of_all_its_segments)
+{
+    const ChainId chain = world.create_chain(ground, {.points = line});
+    const BodyId ball = world.create_body({.position = {1, 1.1f}}, circle(0.5f));
+    world.chain(chain).set_filter({.mask = 0});
+    for (int i = 0; i < 120; ++i) world.step(1 / 60.0f);
+    EXPECT_LT(world.body(ball).position().y, -1);
+}
+
+TEST_F(ChainTest, refuses_bad_points_by_name)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::uint64_t before = world.hash();
+    std::vector<Vec2> points(20);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = {static_cast<float>(i), 0};
+    const auto message = [&](const ChainDef& def) { return message_of([&] { world.create_chain(ground, def); }); };
+
+    points[17].x = nan;
+    EXPECT_EQ(message({.points = points}), "create_chain: points[17].x is nan; give finite points");
+    points[17].x = 2e6f;
+    EXPECT_EQ(message({.points = points}), "create_chain: points[17].x is 2e+06; give a value from -1e+06 to 1e+06");
+    points[17] = points[16];
+    EXPECT_EQ(message({.points = points}), "create_chain: points[17] is (16, 0); give neighbours that are at least 1 mm apart");
+    const std::vector<Vec2> two = {{0, 0}, {1, 0}};
+    EXPECT_EQ(message({.points = two, .is_loop = true}), "create_chain: points.size is 2; give a value from 3 to 1000000");
+    EXPECT_EQ(message({}), "create_chain: points.size is 0; give a value from 2 to 1000000");
+    const std::vector<Vec2> closed = {{0, 0}, {1, 0}, {1, 1}, {0, 0}};
+    EXPECT_EQ(message({.points = closed, .is_loop = true}),
+              "create_chain: points[0] is (0, 0); give neighbours that are at least 1 mm apart");
+
+    const std::vector<Material> materials = {{}, {.friction = -1}, {}};
+    EXPECT_EQ(message({.points = line, .materials = materials}), "create_chain: materials[1].friction is -1; give a value from 0 to 1e+06");
+    EXPECT_EQ(message({.points = line, .materials = std::span(materials).first(2)}),
+              "create_chain: materials.size is 2; give none, one, or one for each segment");
+    EXPECT_EQ(message({.points = line, .sides = static_cast<ChainSides>(5)}), "create_chain: sides is 5; give a ChainSides");
+    EXPECT_EQ(world.hash(), before);
+}
+
+TEST_F(ChainTest, ten_thousand_segments_come_and_go_quickly)
+{
+    std::vector<Vec2> points;
+    for (int i = 0; i < 10000; ++i) points.push_back({0.1f * static_cast<float>(i), 0});
+    for (int round = 0; round < 3; ++round) world.destroy_chain(world.create_chain(ground, {.points = points}));
+    EXPECT_EQ(world.shape_count(), 0);
+}
+
+} // namespace carom
