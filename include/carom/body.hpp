@@ -151,6 +151,8 @@ public:
     const Material& material() const; ///< valid as long as geometry()
     const Filter& filter() const;     ///< valid as long as geometry()
     bool is_sensor() const;
+    bool hit_events() const;
+    bool pre_solve() const;
     Aabb bounds() const; ///< in the world [m]
     std::uint64_t user_data() const;
     bool contains(Vec2 world_point) const;
@@ -173,6 +175,8 @@ public:
     void set_filter(const Filter& filter);       ///< contacts that it no longer allows end
     void set_geometry(const Geometry& geometry); ///< and the body's mass with it, unless overridden; not of a chain's segment
     void set_density(float density);             ///< and the body's mass with it, unless overridden
+    void set_hit_events(bool hit_events);
+    void set_pre_solve(bool pre_solve);
     void set_user_data(std::uint64_t user_data);
 
 private:

@@ -9,6 +9,7 @@
 #include <carom/error.hpp>
 #include <carom/events.hpp>
 #include <carom/fields.hpp>
+#include <carom/hooks.hpp>
 #include <carom/ids.hpp>
 #include <carom/joint.hpp>
 #include <carom/math.hpp>

@@ -45,6 +45,8 @@ struct ChainDef
     bool contact_events = true;  ///< as in ShapeDef, for each segment
     bool persist_events = false; ///< as in ShapeDef
     bool sensor_events = true;   ///< as in ShapeDef
+    bool hit_events = false;     ///< as in ShapeDef
+    bool pre_solve = false;      ///< as in ShapeDef
     std::uint64_t user_data = 0; ///< yours; the engine does not read it
 };
 

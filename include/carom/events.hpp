@@ -5,6 +5,8 @@
 #include <carom/math.hpp>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace carom
@@ -28,6 +30,19 @@ struct Manifold
     std::array<ContactPoint, 2> points; ///< the first `point_count` are in use
     int point_count = 0;                ///< 0 to 2
     float rolling_impulse = 0;          ///< angular impulse of rolling resistance in the last step [N m s]
+
+    float total_normal_impulse() const ///< of all points [N s], >= 0
+    {
+        float sum = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(point_count); ++i) sum += points[i].normal_impulse;
+        return sum;
+    }
+    float total_tangent_impulse() const ///< of all points, along the normal turned right by a quarter turn [N s]
+    {
+        float sum = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(point_count); ++i) sum += points[i].tangent_impulse;
+        return sum;
+    }
 };
 
 /// Two shapes touch since this step: their surfaces met, or the solver had to push them apart.
@@ -51,6 +66,19 @@ struct ContactEnd
 {
     ShapeId shape_a;
     ShapeId shape_b;
+    float total_normal_impulse = 0;  ///< in the last step in which they touched [N s]
+    float total_tangent_impulse = 0; ///< in the last step in which they touched [N s]
+};
+
+/// Two shapes met faster than WorldDef::hit_speed. Reported when either shape asks for it, once for each collision of the two: however
+/// many steps it takes to stop them.
+struct ContactHit
+{
+    ShapeId shape_a;
+    ShapeId shape_b;
+    Vec2 point;               ///< of the contact points the fastest, in the world at the start of the step [m]
+    Vec2 normal;              ///< unit, from shape A to shape B
+    float approach_speed = 0; ///< along the normal at the start of the step [m/s]
 };
 
 /// A shape overlaps a sensor: since this step, still, or no longer, by the list that holds it. Two sensors that
@@ -79,6 +107,7 @@ struct Events
     std::span<const ContactBegin> contact_begin;
     std::span<const ContactPersist> contact_persist;
     std::span<const ContactEnd> contact_end;
+    std::span<const ContactHit> contact_hit;
     std::span<const SensorEvent> sensor_begin;
     std::span<const SensorEvent> sensor_persist;
     std::span<const SensorEvent> sensor_end;

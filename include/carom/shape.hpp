@@ -91,8 +91,8 @@ Aabb aabb_of(const Geometry& geometry, const Transform& transform);
 /// True when the point [m], given in the shape's own frame, lies in the shape or on its edge.
 bool contains(const Geometry& geometry, Vec2 local_point);
 
-/// How a surface behaves on contact. Of two surfaces the friction mixes as sqrt(a b), restitution as max(a, b), rolling
-/// resistance as max(a, b) times the larger radius, and tangent speeds add.
+/// How a surface behaves on contact. Of two surfaces friction and restitution mix by the world's MaterialMixing, rolling resistance is
+/// max(a, b) times the larger radius, and tangent speeds add.
 struct Material
 {
     float friction = 0.6f;        ///< Coulomb's coefficient, >= 0
@@ -102,6 +102,24 @@ struct Material
     std::uint64_t id = 0;         ///< yours; the engine does not read it
 
     friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// How a property of two surfaces becomes one of their contact.
+enum class Mix
+{
+    GeometricMean, ///< sqrt(a b)
+    Average,
+    Minimum,
+    Maximum,
+    Product
+};
+
+struct MaterialMixing
+{
+    Mix friction = Mix::GeometricMean;
+    Mix restitution = Mix::Maximum;
+
+    friend bool operator==(const MaterialMixing&, const MaterialMixing&) = default;
 };
 
 /// Which shapes meet. Two shapes of one non-zero group always meet when it is positive, and never when it is negative;
@@ -125,6 +143,8 @@ struct ShapeDef
     bool contact_events = true;  ///< begin and end of its contacts are reported; so they are when the other shape asks
     bool persist_events = false; ///< each further step of its contacts or overlaps is reported too
     bool sensor_events = true;   ///< its overlaps with sensors, or as a sensor, are found and reported
+    bool hit_events = false;     ///< its collisions faster than WorldDef::hit_speed are reported
+    bool pre_solve = false;      ///< its contacts are shown to ContactHooks::pre_solve before they are solved
     std::uint64_t user_data = 0; ///< yours; the engine does not read it
 };
 

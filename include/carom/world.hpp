@@ -8,6 +8,7 @@
 #include <carom/error.hpp>
 #include <carom/events.hpp>
 #include <carom/fields.hpp>
+#include <carom/hooks.hpp>
 #include <carom/joint.hpp>
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
@@ -63,7 +64,10 @@ struct WorldDef
     SolverTuning solver = {};
     SleepTuning sleep = {};
     bool continuous = true; ///< fast bodies are stopped at what they would pass through
+    MaterialMixing mixing = {};
+    float hit_speed = 1; ///< slower collisions make no ContactHit [m/s], 0 to 1e6
     CapacityHints capacity = {};
+    ContactHooks* hooks = nullptr; ///< must outlive the world, or be replaced before; null for none
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
     std::pmr::memory_resource* memory = nullptr;
 };
@@ -196,6 +200,14 @@ public:
     void wake_all();
     bool is_continuous() const;
     void set_continuous(bool continuous);
+
+    MaterialMixing mixing() const;
+    void set_mixing(const MaterialMixing& mixing); ///< also for contacts that exist
+    float hit_speed() const;                       ///< [m/s]
+    void set_hit_speed(float speed);               ///< [m/s], 0 to 1e6
+    ContactHooks* hooks() const;
+    /// Surfaces of contacts that exist mix anew; pairs that are together stay so. The hooks must outlive the world, or be replaced before.
+    void set_hooks(ContactHooks* hooks);
 
     int body_count() const;
     int awake_body_count() const; ///< dynamic and kinematic ones that take part in the next step

@@ -35,8 +35,12 @@ struct Contact
     std::uint8_t color = no_color; ///< the solver's colour while the contact has points
     bool is_live = false;
     bool is_sensor = false;
-    bool is_touching = false; ///< as the events have told it
-    bool is_passing = false;  ///< from behind through a one-sided segment
+    bool is_touching = false;   ///< as the events have told it
+    bool is_passing = false;    ///< from behind through a one-sided segment
+    bool is_hitting = false;    ///< was pushed faster than the hit speed in the last step
+    bool is_overridden = false; ///< a hook may have changed the surface for a step
+    float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
+    float last_tangent = 0;     ///< the same along the surface [N s]
 };
 
 /// One point of a contact as the solver leaves it for the next step.

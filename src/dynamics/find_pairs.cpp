@@ -1,7 +1,7 @@
 // The cheap reasons against a pair come first; the set of known pairs is asked last.
 #include "dynamics/find_pairs.hpp"
 
-#include "dynamics/narrow_phase.hpp"
+#include "dynamics/mix_materials.hpp"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
 }
 
 void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
-                PairSet& known, std::pmr::vector<ProxyPair>& found)
+                PairSet& known, const ContactRules& rules, std::pmr::vector<ProxyPair>& found)
 {
     found.clear();
     if (shapes.moved.empty()) return;
@@ -45,6 +45,15 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
     const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, joints, pair).makes_contact || known.contains(pair); };
     found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());
     std::sort(found.begin(), found.end());
+    if (rules.hooks != nullptr) // in the order of the shapes
+    {
+        const auto id_of = [&](ProxyIndex shape) { return ShapeId{shape, shapes.slots.generation(shape), rules.world}; };
+        const auto is_refused = [&](ProxyPair pair) { return !rules.hooks->should_collide(id_of(pair.a), id_of(pair.b)); };
+        std::size_t kept = 0; // std::remove_if may call in any order
+        for (const ProxyPair pair : found)
+            if (!is_refused(pair)) found[kept++] = pair;
+        found.resize(kept);
+    }
 
     known.reserve(known.size() + found.size());
     for (const ProxyPair pair : found)
@@ -52,7 +61,7 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
         Contact contact = {
             .shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
         contact.is_sensor = judge_pair(shapes, bodies, joints, pair).is_sensor;
-        mix_materials(contact, shapes);
+        mix_materials(contact, shapes, rules);
         contacts.create(contact, bodies);
         known.insert(pair);
     }

@@ -4,6 +4,7 @@
 #include "broadphase/broad_phase.hpp"
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
+#include "dynamics/contact_rules.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
@@ -28,6 +29,6 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
 /// @param known pairs that are contacts already; grows by the new ones
 /// @param found scratch
 void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
-                PairSet& known, std::pmr::vector<ProxyPair>& found);
+                PairSet& known, const ContactRules& rules, std::pmr::vector<ProxyPair>& found);
 
 } // namespace carom::detail

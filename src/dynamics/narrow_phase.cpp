@@ -6,23 +6,11 @@
 #include "geometry/distance.hpp"
 #include "geometry/manifold.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace carom::detail
 {
 
 namespace
 {
-
-/// The length by which a shape rolls: its radius; polygons without rounding don't roll.
-float rolling_radius(const Geometry& geometry)
-{
-    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;
-    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
-    if (const auto* polygon = std::get_if<Polygon>(&geometry)) return polygon->radius;
-    return 0;
-}
 
 /// The impulses of the old point that the same features made, or none.
 void keep_impulses(ContactPointState& point, const ContactManifold& old)
@@ -77,6 +65,14 @@ ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, co
     return manifold;
 }
 
+void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
+{
+    const bool has_points = manifold.count > 0;
+    const bool has_color = contact.color != no_color;
+    if (has_points && !has_color && !contact.is_sensor) changes.gained_points.push_back(slot);
+    if (!has_points && has_color) changes.lost_points.push_back(slot);
+}
+
 } // namespace
 
 void ContactChanges::clear()
@@ -86,15 +82,17 @@ void ContactChanges::clear()
     separated.clear();
 }
 
-void mix_materials(Contact& contact, const ShapeStore& shapes)
+void list_changes(const ShapeStore& shapes, const ContactStore& contacts, ContactChanges& changes)
 {
-    const Material& a = shapes.records[contact.shape_a].material;
-    const Material& b = shapes.records[contact.shape_b].material;
-    const float radius = std::max(rolling_radius(shapes.geometry[contact.shape_a]), rolling_radius(shapes.geometry[contact.shape_b]));
-    contact.friction = std::sqrt(a.friction * b.friction);
-    contact.restitution = std::max(a.restitution, b.restitution);
-    contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius;
-    contact.tangent_speed = a.tangent_speed + b.tangent_speed;
+    changes.gained_points.clear();
+    changes.lost_points.clear();
+    for (const std::uint32_t slot : contacts.awake)
+        if (!is_separated(contacts.contacts[slot], shapes)) note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
+}
+
+bool is_separated(const Contact& contact, const ShapeStore& shapes)
+{
+    return !overlaps(shapes.bounds[contact.shape_a].fat, shapes.bounds[contact.shape_b].fat);
 }
 
 void forget_impulses(ContactManifold& manifold)
@@ -130,10 +128,7 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         else
             manifold = collide_pair(contact, bodies, shapes, contacts, manifold);
 
-        const bool has_points = manifold.count > 0;
-        const bool has_color = contact.color != no_color;
-        if (has_points && !has_color && !contact.is_sensor) changes.gained_points.push_back(slot);
-        if (!has_points && has_color) changes.lost_points.push_back(slot);
+        note_change(contact, manifold, slot, changes);
     }
 }
 

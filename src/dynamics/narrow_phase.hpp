@@ -25,8 +25,10 @@ struct ContactChanges
     void clear();
 };
 
-/// Surface of a contact, mixed from its two shapes'.
-void mix_materials(Contact& contact, const ShapeStore& shapes);
+/// Fills the lists of gained and lost points anew, after points were taken away.
+void list_changes(const ShapeStore& shapes, const ContactStore& contacts, ContactChanges& changes);
+/// Whether the fat bounds have parted: the contact is about to go, and its points are old.
+bool is_separated(const Contact& contact, const ShapeStore& shapes);
 
 /// Starts a contact cold: its shapes are no longer those that made its points.
 void forget_impulses(ContactManifold& manifold);

@@ -30,6 +30,8 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
                      .contact_events = def.contact_events,
                      .persist_events = def.persist_events,
                      .sensor_events = def.sensor_events,
+                     .hit_events = def.hit_events,
+                     .pre_solve = def.pre_solve,
                      .material = def.material,
                      .filter = def.filter,
                      .user_data = def.user_data};

@@ -28,6 +28,8 @@ struct ShapeRecord
     bool contact_events = true;
     bool persist_events = false;
     bool sensor_events = true;
+    bool hit_events = false;
+    bool pre_solve = false;
     Material material;
     Filter filter;
     std::uint64_t user_data = 0;

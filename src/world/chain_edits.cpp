@@ -41,7 +41,9 @@ std::uint32_t create_chain(WorldState& world, std::uint32_t body, const ChainDef
                           .filter = def.filter,
                           .contact_events = def.contact_events,
                           .persist_events = def.persist_events,
-                          .sensor_events = def.sensor_events};
+                          .sensor_events = def.sensor_events,
+                          .hit_events = def.hit_events,
+                          .pre_solve = def.pre_solve};
 
     const std::uint32_t chain = world.chains.create({.body = body,
                                                      .segment_count = static_cast<std::uint32_t>(segments),

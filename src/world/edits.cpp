@@ -3,6 +3,7 @@
 
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
+#include "dynamics/mix_materials.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
@@ -189,11 +190,24 @@ void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape)
     for_each_contact_of_shape(world, shape, [&](std::uint32_t contact) { destroy_contact(world, contact); });
 }
 
+void mix_again(WorldState& world, std::uint32_t contact)
+{
+    const HooksGuard guard(world);
+    mix_materials(world.contacts.contacts[contact], world.shapes, world.rules);
+}
+
+void mix_all_again(WorldState& world)
+{
+    wake_all(world);
+    for (std::uint32_t slot = 0; slot < world.contacts.slots.size(); ++slot)
+        if (world.contacts.contacts[slot].is_live) mix_again(world, slot);
+}
+
 void set_material(WorldState& world, std::uint32_t shape, const Material& material)
 {
     world.shapes.records[shape].material = material;
     wake_with_neighbors(world, world.shapes.records[shape].body);
-    for_each_contact_of_shape(world, shape, [&](std::uint32_t contact) { mix_materials(world.contacts.contacts[contact], world.shapes); });
+    for_each_contact_of_shape(world, shape, [&](std::uint32_t contact) { mix_again(world, contact); });
 }
 
 void set_filter(WorldState& world, std::uint32_t shape, const Filter& filter)

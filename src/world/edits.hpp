@@ -47,6 +47,22 @@ void for_each_contact_of_shape(const WorldState& world, std::uint32_t shape, Act
     }
 }
 
+/// Calls the user's hooks from an edit: for as long as it lives, the world refuses other edits.
+class HooksGuard
+{
+public:
+    explicit HooksGuard(WorldState& world) : is_stepping_(world.is_stepping) { is_stepping_.store(true, std::memory_order_relaxed); }
+    HooksGuard(const HooksGuard&) = delete;
+    HooksGuard& operator=(const HooksGuard&) = delete;
+    ~HooksGuard() { is_stepping_.store(false, std::memory_order_relaxed); }
+
+private:
+    std::atomic<bool>& is_stepping_;
+};
+
+/// Mixes the surfaces of a contact, or of all, anew.
+void mix_again(WorldState& world, std::uint32_t contact);
+void mix_all_again(WorldState& world);
 /// For the contacts that exist too.
 void set_material(WorldState& world, std::uint32_t shape, const Material& material);
 /// Ends the contacts that the filter no longer allows, and looks for those that it now does.

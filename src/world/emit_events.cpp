@@ -44,6 +44,17 @@ void emit_sensor(Contact& contact, bool touches_now, const ShapeStore& shapes, s
     contact.is_touching = touches_now;
 }
 
+/// For the end, which comes when the points may be gone.
+void remember_impulses(Contact& contact, const ContactManifold& manifold)
+{
+    contact.last_normal = contact.last_tangent = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+    {
+        contact.last_normal += manifold.points[i].total_normal;
+        contact.last_tangent += manifold.points[i].total_tangent;
+    }
+}
+
 void emit_contact(Contact& contact, const ContactManifold& manifold, bool touches_now, const ShapeStore& shapes, std::uint32_t world,
                   EventBuffers& events)
 {
@@ -59,8 +70,39 @@ void emit_contact(Contact& contact, const ContactManifold& manifold, bool touche
     else if (touches_now && contact.is_touching && wants_persist)
         events.contact_persist.push_back({id_a, id_b, public_manifold(manifold)});
     else if (!touches_now && contact.is_touching && wants_ends)
-        events.contact_end.push_back({id_a, id_b});
+        events.contact_end.push_back({id_a, id_b, contact.last_normal, contact.last_tangent});
+    if (touches_now) remember_impulses(contact, manifold);
     contact.is_touching = touches_now;
+}
+
+/// How fast the points met that the solver had to push, and where it was fastest.
+struct Impact
+{
+    float speed = 0;
+    std::size_t point = 0;
+};
+
+Impact impact_of(const ContactManifold& manifold)
+{
+    Impact impact;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+    {
+        const float speed = -manifold.points[i].normal_velocity;
+        if (manifold.points[i].total_normal > 0 && speed > impact.speed) impact = {speed, i};
+    }
+    return impact;
+}
+
+/// A collision that takes several steps counts once: a contact that was hitting in the step before goes on doing so.
+void emit_hit(Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, const ContactRules& rules, EventBuffers& events)
+{
+    if (!shapes.records[contact.shape_a].hit_events && !shapes.records[contact.shape_b].hit_events) return;
+    const Impact impact = impact_of(manifold);
+    const bool is_hitting = impact.speed > rules.hit_speed;
+    if (is_hitting && !contact.is_hitting)
+        events.contact_hit.push_back({shape_id(shapes, contact.shape_a, rules.world), shape_id(shapes, contact.shape_b, rules.world),
+                                      manifold.points[impact.point].position, manifold.normal, impact.speed});
+    contact.is_hitting = is_hitting;
 }
 
 template <class List>
@@ -109,14 +151,17 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
         return;
     }
     if (shapes.records[contact.shape_a].contact_events || shapes.records[contact.shape_b].contact_events)
-        events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world)});
+        events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world),
+                                              contact.last_normal, contact.last_tangent});
 }
 
-int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, std::uint32_t world,
-                EventBuffers& events)
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes,
+                const ContactRules& rules, EventBuffers& events)
 {
+    const std::uint32_t world = rules.world;
     events.contact_begin.clear();
     events.contact_persist.clear();
+    events.contact_hit.clear();
     events.sensor_begin.clear();
     events.sensor_persist.clear();
     events.contact_end.clear();
@@ -128,13 +173,16 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
     {
         Contact& contact = contacts.contacts[slot];
         const ContactManifold& manifold = contacts.manifolds[slot];
-        if (manifold.count == 0 && !contact.is_touching) continue;
+        if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;
         const bool touches_now = touches(contact, manifold);
         events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);
         if (contact.is_sensor)
             emit_sensor(contact, touches_now, shapes, world, events);
         else
+        {
             emit_contact(contact, manifold, touches_now, shapes, world, events);
+            emit_hit(contact, manifold, shapes, rules, events);
+        }
     }
 
     for (const Crossing& crossing : crossings)
@@ -148,12 +196,14 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
     keep_headroom(events.contact_begin);
     keep_headroom(events.contact_persist);
     keep_headroom(events.contact_end);
+    keep_headroom(events.contact_hit);
     keep_headroom(events.sensor_begin);
     keep_headroom(events.sensor_persist);
     keep_headroom(events.sensor_end);
     sort_contacts(events.contact_begin);
     sort_contacts(events.contact_persist);
     sort_contacts(events.contact_end);
+    sort_contacts(events.contact_hit);
     sort_sensors(events.sensor_begin);
     sort_sensors(events.sensor_persist);
     sort_sensors(events.sensor_end);

@@ -1,6 +1,7 @@
 // The lists of events of a step, and the ends that edits between steps caused.
 #pragma once
 
+#include "dynamics/contact_rules.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "solver/continuous.hpp"
@@ -20,6 +21,7 @@ struct EventBuffers
         : contact_begin(&memory),
           contact_persist(&memory),
           contact_end(&memory),
+          contact_hit(&memory),
           sensor_begin(&memory),
           sensor_persist(&memory),
           sensor_end(&memory),
@@ -48,6 +50,7 @@ struct EventBuffers
     std::pmr::vector<ContactBegin> contact_begin;
     std::pmr::vector<ContactPersist> contact_persist;
     std::pmr::vector<ContactEnd> contact_end;
+    std::pmr::vector<ContactHit> contact_hit;
     std::pmr::vector<SensorEvent> sensor_begin;
     std::pmr::vector<SensorEvent> sensor_persist;
     std::pmr::vector<SensorEvent> sensor_end;
@@ -70,7 +73,7 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
 /// Compares what touches now with what the events have told, and fills the lists, each ordered by the shapes' indices.
 /// @return number of contacts that touch
 /// @param crossings overlaps that began and ended within the step: they are told now as begun, and in the next step as ended
-int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, std::uint32_t world,
-                EventBuffers& events);
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes,
+                const ContactRules& rules, EventBuffers& events);
 
 } // namespace carom::detail

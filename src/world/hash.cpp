@@ -93,6 +93,7 @@ void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
         hasher.add_all(shape.filter.category, shape.filter.mask, static_cast<std::uint32_t>(shape.filter.group));
         hasher.add_all(shapes.bounds[slot].fat, shapes.place_in_moved[slot] != detail::null_index);
         add_geometry(hasher, shapes.geometry[slot]);
+        if (shape.hit_events || shape.pre_solve) hasher.add_all(shape.hit_events, shape.pre_solve);
         if (shape.chain != detail::null_index)
             hasher.add_all(shape.chain, shape.previous_in_chain, shape.next_in_chain, shape.is_one_sided);
     }
@@ -119,7 +120,8 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
         const detail::ContactManifold& manifold = contacts.manifolds[slot];
         hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.index_in_color, contact.is_touching);
         hasher.add_all(contact.next[0], contact.next[1], contact.place_in_awake);
-        if (contact.is_passing) hasher.add(contact.is_passing);
+        if (contact.is_passing || contact.is_hitting || contact.is_overridden)
+            hasher.add_all(contact.is_passing, contact.is_hitting, contact.is_overridden);
         hasher.add_all(contact.friction, contact.restitution, contact.rolling_resistance, contact.tangent_speed);
         hasher.add_all(manifold.count, manifold.normal, manifold.rolling_impulse, manifold.carried_impulse);
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
@@ -203,6 +205,9 @@ std::uint64_t World::hash() const
     const detail::WorldState& world = state();
     Hasher hasher;
     hasher.add_all(world.step_count, world.gravity, world.last_substep);
+    if (world.rules.mixing != MaterialMixing{})
+        hasher.add_all(static_cast<int>(world.rules.mixing.friction), static_cast<int>(world.rules.mixing.restitution));
+    if (world.rules.hit_speed != WorldDef{}.hit_speed) hasher.add(world.rules.hit_speed);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
     hasher.add_all(world.sleep.is_enabled, world.sleep.speed, world.sleep.time, world.is_continuous);

@@ -50,6 +50,10 @@ const Filter& ShapeView::filter() const { return world_->shapes.records[require_
 
 bool ShapeView::is_sensor() const { return world_->shapes.records[require_shape(*world_, id_, "is_sensor")].is_sensor; }
 
+bool ShapeView::hit_events() const { return world_->shapes.records[require_shape(*world_, id_, "hit_events")].hit_events; }
+
+bool ShapeView::pre_solve() const { return world_->shapes.records[require_shape(*world_, id_, "pre_solve")].pre_solve; }
+
 Aabb ShapeView::bounds() const { return world_->shapes.bounds[require_shape(*world_, id_, "bounds")].tight; }
 
 std::uint64_t ShapeView::user_data() const { return world_->shapes.records[require_shape(*world_, id_, "user_data")].user_data; }
@@ -105,7 +109,7 @@ void Shape::set_geometry(const Geometry& geometry)
     // Features of the old geometry mean nothing on the new one.
     for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
     {
-        detail::mix_materials(world_->contacts.contacts[slot], world_->shapes);
+        detail::mix_again(*world_, slot);
         detail::forget_impulses(world_->contacts.manifolds[slot]);
     });
     detail::refresh_mass(*world_, body);
@@ -118,6 +122,16 @@ void Shape::set_density(float density)
     world_->shapes.records[shape].density = density;
     detail::wake_body(*world_, world_->shapes.records[shape].body);
     detail::refresh_mass(*world_, world_->shapes.records[shape].body);
+}
+
+void Shape::set_hit_events(bool hit_events) { world_->shapes.records[editable(*world_, id_, "set_hit_events")].hit_events = hit_events; }
+
+void Shape::set_pre_solve(bool pre_solve)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_pre_solve");
+    world_->shapes.records[shape].pre_solve = pre_solve;
+    // What a hook last changed is over.
+    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot) { detail::mix_again(*world_, slot); });
 }
 
 void Shape::set_user_data(std::uint64_t user_data)

@@ -9,6 +9,7 @@
 #include "solver/softness.hpp"
 #include "world/check_state.hpp"
 #include "world/edits.hpp"
+#include "world/pre_solve.hpp"
 #include "world/sleep.hpp"
 
 #include <algorithm>
@@ -159,17 +160,19 @@ StepReport step(WorldState& world, float dt, int substeps)
     world.events.woke.clear();
     {
         StageTimer timer(report, Stage::FindPairs);
-        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.found_pairs);
+        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules,
+                   world.found_pairs);
     }
     {
         StageTimer timer(report, Stage::UpdateManifolds);
         update_manifolds(world.bodies, world.shapes, world.contacts, world.changes);
+        ask_pre_solve(world);
         apply_changes(world);
     }
     if (dt > 0) integrate_substeps(world, report, dt, substeps);
     {
         StageTimer timer(report, Stage::EmitEvents);
-        report.contacts = emit_events(world.contacts, world.continuous.crossings(), world.shapes, world.world, world.events);
+        report.contacts = emit_events(world.contacts, world.continuous.crossings(), world.shapes, world.rules, world.events);
         world.continuous.clear_crossings();
     }
     report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;

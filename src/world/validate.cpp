@@ -85,6 +85,8 @@ void validate(const WorldDef& def, std::string_view function)
     require_within(function, "gravity", def.gravity, max_factor);
     validate(def.solver, function);
     validate(def.sleep, function);
+    validate(def.mixing, function);
+    validate_hit_speed(def.hit_speed, function);
     validate(def.broad_phase, def.broad_phase_options, function);
     constexpr int most = 1 << 24;
     require_range(function, "capacity.bodies", def.capacity.bodies, 0, most);
@@ -163,6 +165,19 @@ void validate(const Material& material, std::string_view function, std::string_v
     require("rolling_resistance", material.rolling_resistance, 0, max_factor);
     require("tangent_speed", material.tangent_speed, -max_speed, max_speed);
 }
+
+void validate(const MaterialMixing& mixing, std::string_view function)
+{
+    const auto require_mix = [&](std::string_view field, Mix rule)
+    {
+        const int index = static_cast<int>(rule);
+        if (index < 0 || index > static_cast<int>(Mix::Product)) usage_error(function, field, index, "give a Mix");
+    };
+    require_mix("mixing.friction", mixing.friction);
+    require_mix("mixing.restitution", mixing.restitution);
+}
+
+void validate_hit_speed(float speed, std::string_view function) { require_range(function, "hit_speed", speed, 0, max_speed); }
 
 void validate(const ChainDef& def, std::string_view function)
 {

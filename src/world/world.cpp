@@ -290,8 +290,8 @@ StepReport World::step(float dt, int substeps)
 Events World::events() const
 {
     const detail::EventBuffers& events = state().events;
-    return {events.contact_begin, events.contact_persist, events.contact_end, events.sensor_begin, events.sensor_persist,
-            events.sensor_end,    events.joint_break,     events.fell_asleep, events.woke};
+    return {events.contact_begin,  events.contact_persist, events.contact_end, events.contact_hit, events.sensor_begin,
+            events.sensor_persist, events.sensor_end,      events.joint_break, events.fell_asleep, events.woke};
 }
 
 Manifold World::manifold(ShapeId a, ShapeId b) const
@@ -365,6 +365,37 @@ void World::set_continuous(bool continuous)
 }
 
 int World::awake_body_count() const { return static_cast<int>(state().bodies.motions.size()) - 1; }
+
+MaterialMixing World::mixing() const { return state().rules.mixing; }
+
+void World::set_mixing(const MaterialMixing& mixing)
+{
+    WorldState& world = state();
+    require_idle(world, "set_mixing");
+    detail::validate(mixing, "set_mixing");
+    world.rules.mixing = mixing;
+    detail::mix_all_again(world);
+}
+
+float World::hit_speed() const { return state().rules.hit_speed; }
+
+void World::set_hit_speed(float speed)
+{
+    WorldState& world = state();
+    require_idle(world, "set_hit_speed");
+    detail::validate_hit_speed(speed, "set_hit_speed");
+    world.rules.hit_speed = speed;
+}
+
+ContactHooks* World::hooks() const { return state().rules.hooks; }
+
+void World::set_hooks(ContactHooks* hooks)
+{
+    WorldState& world = state();
+    require_idle(world, "set_hooks");
+    world.rules.hooks = hooks;
+    detail::mix_all_again(world);
+}
 
 int World::body_count() const { return state().bodies.slots.live_count(); }
 

@@ -25,6 +25,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       tuning(def.solver),
       sleep(def.sleep),
       is_continuous(def.continuous),
+      rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed},
       broad_phase_options(def.broad_phase_options),
       fields(memory),
       bodies(memory),

@@ -5,6 +5,7 @@
 #include "broadphase/pair_set.hpp"
 #include "dynamics/body_store.hpp"
 #include "dynamics/chain_store.hpp"
+#include "dynamics/contact_rules.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/island_store.hpp"
 #include "dynamics/joint_store.hpp"
@@ -44,6 +45,7 @@ struct WorldState
     SolverTuning tuning;
     SleepTuning sleep;
     bool is_continuous = true;
+    ContactRules rules;
     BroadPhaseOptions broad_phase_options;
     FieldStore fields;
 

@@ -1,0 +1,58 @@
+// One rule a property; a hook has the last word, if it makes sense.
+#include "dynamics/mix_materials.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+float mix(Mix rule, float a, float b)
+{
+    switch (rule)
+    {
+    case Mix::Average: return 0.5f * (a + b);
+    case Mix::Minimum: return std::min(a, b);
+    case Mix::Maximum: return std::max(a, b);
+    case Mix::Product: return a * b;
+    case Mix::GeometricMean: break;
+    }
+    return std::sqrt(a * b);
+}
+
+/// The length by which a shape rolls: its radius; polygons without rounding don't roll.
+float rolling_radius(const Geometry& geometry)
+{
+    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
+    if (const auto* polygon = std::get_if<Polygon>(&geometry)) return polygon->radius;
+    return 0;
+}
+
+} // namespace
+
+bool is_friction(float value) { return value >= 0 && value <= max_friction; }
+
+bool is_restitution(float value) { return value >= 0 && value <= 1; }
+
+void mix_materials(Contact& contact, const ShapeStore& shapes, const ContactRules& rules)
+{
+    const Material& a = shapes.records[contact.shape_a].material;
+    const Material& b = shapes.records[contact.shape_b].material;
+    const float radius = std::max(rolling_radius(shapes.geometry[contact.shape_a]), rolling_radius(shapes.geometry[contact.shape_b]));
+    contact.friction = mix(rules.mixing.friction, a.friction, b.friction);
+    contact.restitution = mix(rules.mixing.restitution, a.restitution, b.restitution);
+    contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius;
+    contact.tangent_speed = a.tangent_speed + b.tangent_speed;
+    if (rules.hooks == nullptr) return;
+
+    const float friction = rules.hooks->mix_friction(a, b, contact.friction);
+    const float restitution = rules.hooks->mix_restitution(a, b, contact.restitution);
+    if (is_friction(friction)) contact.friction = friction;
+    if (is_restitution(restitution)) contact.restitution = restitution;
+}
+
+} // namespace carom::detail

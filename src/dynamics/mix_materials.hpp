@@ -1,0 +1,21 @@
+// The surface of a contact, from those of its two shapes.
+#pragma once
+
+#include "dynamics/contact_rules.hpp"
+#include "dynamics/contact_store.hpp"
+#include "dynamics/shape_store.hpp"
+
+namespace carom::detail
+{
+
+/// By the world's rules, and by its hooks if there are any.
+void mix_materials(Contact& contact, const ShapeStore& shapes, const ContactRules& rules);
+
+/// Largest friction and rolling resistance that are taken: beyond, products leave the range of float.
+inline constexpr float max_friction = 1e6f;
+
+/// Ranges of Material; false for NaN.
+bool is_friction(float value);
+bool is_restitution(float value);
+
+} // namespace carom::detail
