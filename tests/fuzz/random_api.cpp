@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -41,9 +42,69 @@ void expect_complete(const UsageError& error, const char* function)
 
 } // namespace
 
-RandomApi::RandomApi(std::uint64_t seed) : random_(seed), world_({.memory = &hook_}), character_(CharacterDef{})
+float RandomHooks::nonsense(float sense)
 {
+    return random_.one_in(8) ? nasty[static_cast<std::size_t>(random_.below(static_cast<int>(nasty.size())))] : sense;
+}
+
+void RandomHooks::try_to_edit()
+{
+    ++calls;
+    if (!random_.one_in(20)) return;
+    try
+    {
+        world->set_gravity({});
+        ADD_FAILURE() << "a hook was allowed to edit the world";
+    }
+    catch (const UsageError& error)
+    {
+        ++refused;
+        expect_complete(error, "set_gravity");
+    }
+}
+
+bool RandomHooks::should_collide(ShapeId a, ShapeId b)
+{
+    try_to_edit();
+    EXPECT_TRUE(world->find_shape(a) && world->find_shape(b));
+    return !random_.one_in(10);
+}
+
+float RandomHooks::mix_friction(const Material&, const Material&, float mixed)
+{
+    try_to_edit();
+    return nonsense(mixed);
+}
+
+float RandomHooks::mix_restitution(const Material&, const Material&, float mixed)
+{
+    try_to_edit();
+    return nonsense(mixed);
+}
+
+void RandomHooks::pre_solve(PreSolve& contact)
+{
+    try_to_edit();
+    EXPECT_GT(contact.manifold.point_count, 0);
+    EXPECT_NEAR(length(contact.manifold.normal), 1, 1e-3);
+    contact.is_enabled = !random_.one_in(5);
+    contact.friction = nonsense(contact.friction);
+    contact.restitution = nonsense(contact.restitution);
+    contact.rolling_resistance = nonsense(contact.rolling_resistance);
+    contact.tangent_speed = nonsense(contact.tangent_speed);
+}
+
+RandomApi::RandomApi(std::uint64_t seed) : random_(seed), hooks_(seed + 1000), world_({.memory = &hook_}), character_(CharacterDef{})
+{
+    hooks_.world = &world_;
     foreign_ = other_.create_body({});
+}
+
+Tally RandomApi::tally() const
+{
+    Tally tally = tally_;
+    tally.hook_calls = hooks_.calls;
+    return tally;
 }
 
 float RandomApi::number(float min, float max)
@@ -112,6 +173,8 @@ ShapeDef RandomApi::shape_def()
     def.contact_events = !random_.one_in(4);
     def.persist_events = random_.one_in(4);
     def.sensor_events = !random_.one_in(4);
+    def.hit_events = random_.one_in(3);
+    def.pre_solve = random_.one_in(3);
     return def;
 }
 
@@ -145,6 +208,12 @@ FieldId RandomApi::field_id()
 {
     if (fields_.empty() || random_.one_in(10)) return {};
     return fields_[static_cast<std::size_t>(random_.below(static_cast<int>(fields_.size())))];
+}
+
+ChainId RandomApi::chain_id()
+{
+    if (chains_.empty() || random_.one_in(20)) return {};
+    return chains_[static_cast<std::size_t>(random_.below(static_cast<int>(chains_.size())))];
 }
 
 template <class Call>
@@ -245,13 +314,80 @@ void RandomApi::edit_shape()
     const std::optional<Shape> found = world_.find_shape(shape_id());
     if (!found) return;
     Shape shape = *found;
-    switch (random_.below(5))
+    switch (random_.below(7))
     {
+    case 5: return try_call("set_hit_events", [&] { shape.set_hit_events(random_.one_in(2)); });
+    case 6: return try_call("set_pre_solve", [&] { shape.set_pre_solve(random_.one_in(2)); });
     case 0: return try_call("set_material", [&] { shape.set_material(shape_def().material); });
     case 1: return try_call("set_filter", [&] { shape.set_filter(shape_def().filter); });
     case 2: return try_call("set_geometry", [&] { shape.set_geometry(Circle{vector(1), number(0.1f, 2)}); });
     case 3: return try_call("set_density", [&] { shape.set_density(number(0, 5)); });
     default: return try_call("set_user_data", [&] { shape.set_user_data(random_.bits()); });
+    }
+}
+
+void RandomApi::make_chain()
+{
+    std::vector<Vec2> points;
+    const int count = random_.one_in(20) ? random_.below(3) : 2 + random_.below(12);
+    Vec2 point = vector(5);
+    for (int i = 0; i < count; ++i)
+    {
+        points.push_back(point);
+        point += Vec2{number(0.1f, 2), number(-1, 1)};
+    }
+    std::vector<Material> materials;
+    const int material_count = random_.one_in(2) ? 0 : random_.one_in(2) ? 1 : random_.below(count + 1);
+    for (int i = 0; i < material_count; ++i) materials.push_back(shape_def().material);
+    const ShapeDef flags = shape_def();
+    try_call("create_chain", [&]
+    {
+        const ChainSides sides = random_.one_in(40) ? static_cast<ChainSides>(3) : static_cast<ChainSides>(random_.below(2));
+        chains_.push_back(world_.create_chain(body_id(), {.points = points,
+                                                          .is_loop = random_.one_in(3),
+                                                          .sides = sides,
+                                                          .materials = materials,
+                                                          .filter = flags.filter,
+                                                          .hit_events = flags.hit_events,
+                                                          .pre_solve = flags.pre_solve}));
+        tally_.most_chains =
+            std::max(tally_.most_chains,
+                     static_cast<int>(std::ranges::count_if(chains_, [&](ChainId id) { return world_.find_chain(id).has_value(); })));
+        const std::vector<ShapeId> segments = world_.chain(chains_.back()).segments();
+        shapes_.push_back(segments.front()); // to be edited, and refused, as shapes
+        shapes_.push_back(segments.back());
+    });
+}
+
+void RandomApi::edit_chain()
+{
+    if (random_.one_in(4)) return try_call("destroy_chain", [&] { world_.destroy_chain(chain_id()); });
+    const std::optional<Chain> found = world_.find_chain(chain_id());
+    if (!found) return;
+    Chain chain = *found;
+    EXPECT_EQ(chain.segments().size(), static_cast<std::size_t>(chain.segment_count()));
+    for (const ShapeId id : chain.segments())
+    {
+        EXPECT_EQ(world_.shape(id).chain(), chain.id());
+        EXPECT_EQ(world_.shape(id).body(), chain.body());
+    }
+    switch (random_.below(4))
+    {
+    case 0: return try_call("set_material", [&] { chain.set_material(shape_def().material); });
+    case 1: return try_call("set_material", [&] { chain.set_material(random_.below(16) - 1, shape_def().material); });
+    case 2: return try_call("set_filter", [&] { chain.set_filter(shape_def().filter); });
+    default: return try_call("set_user_data", [&] { chain.set_user_data(random_.bits()); });
+    }
+}
+
+void RandomApi::edit_rules()
+{
+    switch (random_.below(3))
+    {
+    case 0:
+        return try_call("set_mixing", [&] { world_.set_mixing({static_cast<Mix>(random_.below(6)), static_cast<Mix>(random_.below(5))}); });
+    case 1: return try_call("set_hit_speed", [&] { world_.set_hit_speed(number(0, 5)); });
+    default: return try_call("set_hooks", [&] { world_.set_hooks(random_.one_in(2) ? &hooks_ : nullptr); });
     }
 }
 
@@ -535,7 +671,7 @@ void RandomApi::must_refuse()
             expect_complete(error, function);
         }
     };
-    switch (random_.below(10))
+    switch (random_.below(13))
     {
     case 0: refused("body", [&] { world_.body(stale); }); break;
     case 1: refused("destroy_body", [&] { world_.destroy_body(stale); }); break;
@@ -546,6 +682,9 @@ void RandomApi::must_refuse()
     case 6: refused("circle", [&] { circle(-1); }); break;
     case 7: refused("create_body", [&] { world_.create_body({}, Circle{{}, 0}); }); break;
     case 8: refused("step", [&] { world_.step(-1); }); break;
+    case 9: refused("create_chain", [&] { world_.create_chain(stale, {}); }); break;
+    case 10: refused("chain", [&] { world_.chain({1u << 30, 1, stale.world}); }); break;
+    case 11: refused("set_hit_speed", [&] { world_.set_hit_speed(nan); }); break;
     default: refused("step", [&] { world_.step(0.01f, 0); }); break;
     }
     EXPECT_EQ(world_.hash(), after_destroy);
@@ -554,7 +693,9 @@ void RandomApi::must_refuse()
 void RandomApi::call()
 {
     const int kind = random_.below(100);
-    if (kind < 20)
+    if (kind < 3)
+        make_chain();
+    else if (kind < 20)
         create();
     else if (kind < 25)
         destroy();
@@ -562,8 +703,12 @@ void RandomApi::call()
         edit_body();
     else if (kind < 60)
         push_body();
-    else if (kind < 70)
+    else if (kind < 67)
         edit_shape();
+    else if (kind < 69)
+        edit_chain();
+    else if (kind < 70)
+        edit_rules();
     else if (kind < 76)
         edit_world();
     else if (kind < 79)
@@ -583,6 +728,7 @@ void RandomApi::call()
 
     // Forget ids now and then, or the stale ones would crowd out the rest.
     if (bodies_.size() > 400) bodies_.erase(bodies_.begin(), bodies_.begin() + 200);
+    if (chains_.size() > 60) chains_.erase(chains_.begin(), chains_.begin() + 30);
     if (shapes_.size() > 800) shapes_.erase(shapes_.begin(), shapes_.begin() + 400);
     while (world_.body_count() > most_bodies) world_.destroy_body(world_.bodies().front());
 }

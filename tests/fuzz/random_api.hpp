@@ -53,6 +53,29 @@ private:
     bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
+/// Hooks that answer at random, now and then with nonsense, and try to edit the world that calls them. Their own numbers, so that
+/// the calls don't depend on how often they are asked.
+class RandomHooks : public ContactHooks
+{
+public:
+    explicit RandomHooks(std::uint64_t seed) : random_(seed) {}
+
+    World* world = nullptr;
+    int calls = 0;
+    int refused = 0; ///< edits
+
+    bool should_collide(ShapeId a, ShapeId b) override;
+    float mix_friction(const Material& a, const Material& b, float mixed) override;
+    float mix_restitution(const Material& a, const Material& b, float mixed) override;
+    void pre_solve(PreSolve& contact) override;
+
+private:
+    float nonsense(float sense);
+    void try_to_edit();
+
+    Random random_;
+};
+
 /// How the calls of a run ended.
 struct Tally
 {
@@ -61,6 +84,8 @@ struct Tally
     int during_step = 0; ///< of those, edits from inside a step
     int quarantined = 0; ///< bodies that steps reported
     int most_bodies = 0;
+    int most_chains = 0;
+    int hook_calls = 0;
 };
 
 /// Makes random calls to one world.
@@ -71,7 +96,7 @@ public:
 
     /// Makes one call. Failed promises are reported through GoogleTest.
     void call();
-    const Tally& tally() const { return tally_; }
+    Tally tally() const;
 
 private:
     float number(float min, float max); ///< now and then a nasty one
@@ -83,6 +108,7 @@ private:
     BodyId body_id(); ///< now and then stale, null or of another world
     ShapeId shape_id();
     FieldId field_id();
+    ChainId chain_id();
 
     template <class Call>
     void try_call(const char* function, Call&& call);
@@ -93,6 +119,9 @@ private:
     void edit_body();
     void push_body();
     void edit_shape();
+    void make_chain();
+    void edit_chain();
+    void edit_rules();
     void edit_world();
     void read();
     void query();
@@ -105,12 +134,14 @@ private:
 
     Random random_;
     Hook hook_;
+    RandomHooks hooks_;
     World world_;
     World other_;
     BodyId foreign_;
     std::vector<BodyId> bodies_; ///< stale ones stay in
     std::vector<ShapeId> shapes_;
     std::vector<FieldId> fields_;
+    std::vector<ChainId> chains_;
     Character character_;
     Tally tally_;
 };
