@@ -12,5 +12,8 @@ SceneInfo collisions_scene();
 SceneInfo gravity_scene();
 SceneInfo queries_scene();
 SceneInfo character_scene();
+SceneInfo chain_terrain_scene();
+SceneInfo tiles_scene();
+SceneInfo one_way_scene();
 
 } // namespace carom::scenes

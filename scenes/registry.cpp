@@ -9,8 +9,9 @@ namespace carom::scenes
 
 const std::vector<SceneInfo>& all_scenes()
 {
-    static const std::vector<SceneInfo> scenes = {planets_scene(), triggers_scene(), collisions_scene(),
-                                                  gravity_scene(), queries_scene(),  character_scene()};
+    static const std::vector<SceneInfo> scenes = {planets_scene(),       triggers_scene(), collisions_scene(),
+                                                  gravity_scene(),       queries_scene(),  character_scene(),
+                                                  chain_terrain_scene(), tiles_scene(),    one_way_scene()};
     return scenes;
 }
 

@@ -45,7 +45,15 @@ protected:
     std::unique_ptr<Scene> make(std::uint64_t seed = 1) const { return make_scene(GetParam(), {}, seed); }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, EveryScene, testing::ValuesIn(scene_names()), [](const auto& one) { return one.param; });
+/// A test's name takes no dash.
+std::string test_name(const testing::TestParamInfo<std::string>& scene)
+{
+    std::string name = scene.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryScene, testing::ValuesIn(scene_names()), test_name);
 
 } // namespace
 

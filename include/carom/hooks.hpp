@@ -25,7 +25,7 @@ struct PreSolve
 };
 
 /// Derive, overload what you want to decide, and give it to WorldDef::hooks or World::set_hooks. Calls come in an order that equal runs
-/// repeat. A hook may read the world; changing it throws UsageError, as during a step. An exception that leaves a hook stops the
+/// repeat, from steps and from edits; destroying the world makes none. A hook may read the world; changing it throws UsageError, as during a step. An exception that leaves a hook stops the
 /// step, and the world is then as after a step that its memory resource stopped.
 class ContactHooks
 {

@@ -67,7 +67,7 @@ struct WorldDef
     MaterialMixing mixing = {};
     float hit_speed = 1; ///< slower collisions make no ContactHit [m/s], 0 to 1e6
     CapacityHints capacity = {};
-    ContactHooks* hooks = nullptr; ///< must outlive the world, or be replaced before; null for none
+    ContactHooks* hooks = nullptr; ///< must outlive the world's last step and edit, or be replaced before; null for none
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
     std::pmr::memory_resource* memory = nullptr;
 };
@@ -206,7 +206,8 @@ public:
     float hit_speed() const;                       ///< [m/s]
     void set_hit_speed(float speed);               ///< [m/s], 0 to 1e6
     ContactHooks* hooks() const;
-    /// Surfaces of contacts that exist mix anew; pairs that are together stay so. The hooks must outlive the world, or be replaced before.
+    /// Surfaces of contacts that exist mix anew; pairs that are together stay so. The hooks must outlive
+    /// the world's last step and edit, or be replaced before; null for none.
     void set_hooks(ContactHooks* hooks);
 
     int body_count() const;

@@ -22,6 +22,9 @@ inline constexpr std::array scenes = {
     SceneHash{"gravity", 0x70a77992491f7bae},
     SceneHash{"queries", 0x4b367f20849e0751},
     SceneHash{"character", 0x76b49aca99d5d22},
+    SceneHash{"chain-terrain", 0x1f30528b27e0f281},
+    SceneHash{"tiles", 0xb1e8a99a62e0d769},
+    SceneHash{"one-way", 0x87a1164c0111541e},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x36c5c6cf5d1ea574;
