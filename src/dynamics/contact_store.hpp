@@ -38,6 +38,7 @@ struct Contact
     bool is_touching = false;   ///< as the events have told it
     bool is_passing = false;    ///< from behind through a one-sided segment
     bool is_hitting = false;    ///< was pushed faster than the hit speed in the last step
+    bool is_disabled = false;   ///< by a hook, for this step
     bool is_overridden = false; ///< a hook may have changed the surface for a step
     float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
     float last_tangent = 0;     ///< the same along the surface [N s]

@@ -14,4 +14,7 @@ namespace carom::detail
 /// @param manifold in the frame of body A; without points when the shapes are clear of each other
 LocalManifold keep_front(const LocalManifold& manifold, Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
 
+/// Whether one of two shapes is a one-sided segment and the other has its middle behind it.
+bool comes_from_behind(const ShapeStore& shapes, std::uint32_t shape_a, std::uint32_t shape_b, const Transform& b_in_a);
+
 } // namespace carom::detail

@@ -2,6 +2,7 @@
 #include "solver/continuous.hpp"
 
 #include "dynamics/find_pairs.hpp"
+#include "dynamics/one_sided.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
@@ -35,6 +36,26 @@ public:
 private:
     std::pmr::vector<ProxyIndex>& list_;
 };
+
+/// The way of a body that is not fast, told by its velocity at the end: what rides on a lift does not run into it.
+Sweep slow_way(const BodyStore& bodies, std::uint32_t body, float dt)
+{
+    const BodyPose& pose = bodies.poses[body];
+    const float turn = dt * bodies.spin(body);
+    return {pose.local_center, pose.center - dt * bodies.velocity(body), pose.center, rotation(-turn) * pose.transform.q, turn};
+}
+
+/// The contact of two shapes, looked for among those of one's body; null when there is none.
+const Contact* find_contact(const BodyStore& bodies, const ContactStore& contacts, std::uint32_t body, std::uint32_t a, std::uint32_t b)
+{
+    std::uint32_t edge = bodies.records[body].first_contact;
+    for (; edge != null_index; edge = contacts.contacts[edge / 2].next[edge % 2])
+    {
+        const Contact& contact = contacts.contacts[edge / 2];
+        if (contact.shape_a == std::min(a, b) && contact.shape_b == std::max(a, b)) return &contact;
+    }
+    return nullptr;
+}
 
 Sweep at_rest(const BodyPose& pose) { return {pose.local_center, pose.center, pose.center, pose.transform.q, 0}; }
 
@@ -73,7 +94,7 @@ void ContinuousCollision::make_room_for(std::size_t bodies)
 }
 
 void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints,
-                              BroadPhase& broad_phase, float way_ahead)
+                              const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead)
 {
     crossings_.clear();
     if (fast.empty()) return;
@@ -89,7 +110,7 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
             {.body = body.body, .sweep = body.sweep, .start = body.sweep.at(0), .can_stop = bodies.is_dynamic(body.body), .is_fast = true});
     }
 
-    find_candidates(bodies, shapes, joints, broad_phase);
+    find_candidates({bodies, shapes, joints, contacts, rules, dt}, broad_phase);
     list_pairs_of_movers();
     for (std::uint32_t pair = 0; pair < pairs_.size(); ++pair) seek_impact(pair, 0, bodies, shapes);
     resolve_impacts(bodies, shapes);
@@ -105,28 +126,42 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
     keep_headroom(crossings_);
 }
 
-void ContinuousCollision::find_candidates(const BodyStore& bodies, const ShapeStore& shapes, const JointStore& joints,
-                                          BroadPhase& broad_phase)
+void ContinuousCollision::find_candidates(const Surroundings& near, BroadPhase& broad_phase)
 {
     const auto count = static_cast<std::uint32_t>(movers_.size());
     for (std::uint32_t mover = 0; mover < count; ++mover)
     {
-        std::uint32_t shape = bodies.records[movers_[mover].body].first_shape;
-        for (; shape != null_index; shape = shapes.records[shape].next_of_body)
+        std::uint32_t shape = near.bodies.records[movers_[mover].body].first_shape;
+        for (; shape != null_index; shape = near.shapes.records[shape].next_of_body)
         {
             Collector collector(near_);
-            broad_phase.query(shapes.bounds[shape].fat, collector);
+            broad_phase.query(near.shapes.bounds[shape].fat, collector);
             std::sort(near_.begin(), near_.end()); // the broad phase does not show
-            for (const ProxyIndex other : near_) add_candidate(mover, shape, other, bodies, shapes, joints);
+            for (const ProxyIndex other : near_) add_candidate(mover, shape, other, near);
         }
     }
 }
 
-void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const BodyStore& bodies,
-                                        const ShapeStore& shapes, const JointStore& joints)
+/// Whether a pair that its filters allow to meet does not do so now.
+bool ContinuousCollision::may_pass(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near) const
 {
-    const std::uint32_t body = shapes.records[other].body;
-    const PairVerdict verdict = judge_pair(shapes, bodies, joints, {std::min(shape, other), std::max(shape, other)});
+    const Contact* contact = find_contact(near.bodies, near.contacts, movers_[mover].body, shape, other);
+    if (contact && (contact->is_passing || contact->is_disabled)) return true;
+    if (!contact && near.rules.hooks != nullptr)
+    {
+        const auto id_of = [&](std::uint32_t s) { return ShapeId{s, near.shapes.slots.generation(s), near.rules.world}; };
+        if (!near.rules.hooks->should_collide(id_of(std::min(shape, other)), id_of(std::max(shape, other)))) return true;
+    }
+    const std::uint32_t body = near.shapes.records[other].body;
+    const std::uint32_t other_mover = mover_of_body_[body];
+    const Transform other_start = other_mover == null_index ? near.bodies.poses[body].transform : movers_[other_mover].start;
+    return comes_from_behind(near.shapes, shape, other, relative(movers_[mover].start, other_start));
+}
+
+void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near)
+{
+    const std::uint32_t body = near.shapes.records[other].body;
+    const PairVerdict verdict = judge_pair(near.shapes, near.bodies, near.joints, {std::min(shape, other), std::max(shape, other)});
     if (!verdict.makes_contact) return;
     std::uint32_t other_mover = mover_of_body_[body];
     if (other_mover != null_index && movers_[other_mover].is_fast && other < shape) return; // it finds this one
@@ -135,11 +170,12 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
         sensor_pairs_.push_back({mover, other_mover, shape, other});
         return;
     }
+    if (may_pass(mover, shape, other, near)) return;
     if (other_mover == null_index && !movers_[mover].can_stop)
     {
         // A kinematic body runs into one that hardly moves.
         other_mover = mover_of_body_[body] = static_cast<std::uint32_t>(movers_.size());
-        const Sweep sweep = at_rest(bodies.poses[body]);
+        const Sweep sweep = slow_way(near.bodies, body, near.dt);
         movers_.push_back({.body = body, .sweep = sweep, .start = sweep.at(0), .can_stop = true, .is_fast = false});
     }
     pairs_.push_back({mover, other_mover, shape, other});

@@ -11,6 +11,8 @@
 
 #include "broadphase/broad_phase.hpp"
 #include "dynamics/body_store.hpp"
+#include "dynamics/contact_rules.hpp"
+#include "dynamics/contact_store.hpp"
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
@@ -41,9 +43,11 @@ public:
     void make_room_for(std::size_t bodies);
 
     /// @param fast  bodies with their ways, as finalize_bodies found them; their fat bounds hold the whole way, and are ordinary ones after
+    /// @param contacts, rules who passes whom: through a one-sided segment, or because a hook says so
+    /// @param dt    of the step [s]
     /// @param way_ahead the way that fat bounds reach ahead, in steps [s]
-    void run(std::span<const FastBody> fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints, BroadPhase& broad_phase,
-             float way_ahead);
+    void run(std::span<const FastBody> fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints, const ContactStore& contacts,
+             const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead);
 
     std::span<const Crossing> crossings() const { return crossings_; }
     void clear_crossings() { crossings_.clear(); }
@@ -80,9 +84,20 @@ private:
         std::uint32_t version; ///< of both movers together, when it was found
     };
 
-    void find_candidates(const BodyStore& bodies, const ShapeStore& shapes, const JointStore& joints, BroadPhase& broad_phase);
-    void add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const BodyStore& bodies, const ShapeStore& shapes,
-                       const JointStore& joints);
+    /// The stores that say which shapes may meet.
+    struct Surroundings
+    {
+        const BodyStore& bodies;
+        const ShapeStore& shapes;
+        const JointStore& joints;
+        const ContactStore& contacts;
+        const ContactRules& rules;
+        float dt; ///< of the step [s]
+    };
+
+    void find_candidates(const Surroundings& near, BroadPhase& broad_phase);
+    void add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near);
+    bool may_pass(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near) const;
     void list_pairs_of_movers();
     Sweep rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies, const ShapeStore& shapes) const;
     void seek_impact(std::uint32_t pair, float after, const BodyStore& bodies, const ShapeStore& shapes);

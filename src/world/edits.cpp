@@ -194,6 +194,7 @@ void mix_again(WorldState& world, std::uint32_t contact)
 {
     const HooksGuard guard(world);
     mix_materials(world.contacts.contacts[contact], world.shapes, world.rules);
+    world.contacts.contacts[contact].is_disabled = false;
 }
 
 void mix_all_again(WorldState& world)

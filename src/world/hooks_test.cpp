@@ -352,4 +352,20 @@ TEST_F(HooksTest, a_contact_tells_its_total_impulse_while_it_lasts_and_when_it_e
     EXPECT_NEAR(world.events().contact_end[0].total_normal_impulse, weight, 0.01f * weight);
 }
 
+TEST_F(HooksTest, what_a_hook_lets_pass_is_not_stopped_by_continuous_collision)
+{
+    for (const bool by_filter : {true, false})
+    {
+        hooks.collide = [=](ShapeId, ShapeId) { return !by_filter; };
+        hooks.solve = [](PreSolve& contact) { contact.is_enabled = false; };
+        const float y = by_filter ? 20.0f : 40.0f;
+        world.create_body({.type = BodyType::Static, .position = {10, y}}, box(0.3f, 4), {.pre_solve = true});
+        const BodyId bullet = world.create_body({.position = {0, y}, .linear_velocity = {120, 0}, .gravity_scale = 0}, circle(0.1f));
+        run(30);
+        EXPECT_NEAR(world.body(bullet).linear_velocity().x, 120, 0.1f);
+        // One that is only seen by pre_solve may lose part of a step where it first touches.
+        EXPECT_NEAR(world.body(bullet).position().x, 60, by_filter ? 0.1f : 2.1f);
+    }
+}
+
 } // namespace carom

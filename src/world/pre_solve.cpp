@@ -54,6 +54,7 @@ void ask_pre_solve(WorldState& world)
     {
         Contact& contact = world.contacts.contacts[slot];
         ContactManifold& manifold = world.contacts.manifolds[slot];
+        contact.is_disabled = false;
         if (contact.is_sensor || manifold.count == 0 || is_separated(contact, world.shapes)) continue;
         if (!world.shapes.records[contact.shape_a].pre_solve && !world.shapes.records[contact.shape_b].pre_solve) continue;
 
@@ -63,6 +64,7 @@ void ask_pre_solve(WorldState& world)
         apply(shown, contact);
         if (shown.is_enabled) continue;
         manifold.count = 0;
+        contact.is_disabled = true;
         any_disabled = true;
     }
     if (any_disabled) list_changes(world.shapes, world.contacts, world.changes);

@@ -127,7 +127,8 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
     }
     {
         StageTimer timer(report, Stage::Continuous);
-        world.continuous.run(world.fast, bodies, world.shapes, world.joints, *world.broad_phase, steps_ahead * dt);
+        world.continuous.run(world.fast, bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
+                             steps_ahead * dt);
         world.fast.clear();
     }
     world.last_substep = h;

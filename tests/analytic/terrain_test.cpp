@@ -403,4 +403,38 @@ TEST(Terrain, a_loop_that_runs_counter_clockwise_is_solid_inside)
     EXPECT_LT(pit.world.body(inside).position().y, -5);
 }
 
+TEST(Terrain, a_chain_on_a_moving_body_carries)
+{
+    World world({.gravity = {0, -10}});
+    const BodyId lift = world.create_body({.type = BodyType::Kinematic, .linear_velocity = {0.5f, 1}});
+    const std::vector<Vec2> bowl = {{3, 1}, {1, 0}, {0, 0}, {-1, 0}, {-3, 1}};
+    world.create_chain(lift, {.points = bowl, .sides = ChainSides::OneSided});
+    const BodyId ball = world.create_body({.position = {0, 0.5f}, .linear_velocity = {0.5f, 1}}, box(1, 1));
+    for (int i = 0; i < 240; ++i) world.step(dt);
+    const Vec2 way = world.body(ball).position() - world.body(lift).position();
+    EXPECT_NEAR(way.x, 0, 0.01f);
+    EXPECT_NEAR(way.y, 0.5f, 0.005f);
+}
+
+TEST(Terrain, fast_bodies_pass_a_one_sided_chain_from_behind_and_are_stopped_in_front)
+{
+    for (const bool is_from_behind : {true, false})
+        for (const float speed : {20.0f, 60.0f, 200.0f})
+        {
+            World world({.gravity = {}});
+            const std::vector<Vec2> wall = {{0, 5}, {0, 0}, {0, -5}}; // downwards: the front is on the left
+            world.create_chain(world.create_body({.type = BodyType::Static}), {.points = wall, .sides = ChainSides::OneSided});
+            const float side = is_from_behind ? 1.0f : -1.0f;
+            const BodyId ball = world.create_body({.position = {side * 7.3f, 0.4f}, .linear_velocity = {-side * speed, 0}}, circle(0.2f));
+            for (int i = 0; i < 60; ++i) world.step(dt);
+            if (is_from_behind)
+            {
+                EXPECT_NEAR(world.body(ball).position().x, 7.3f - speed, 0.01f) << speed; // as if nothing were there
+                EXPECT_NEAR(world.body(ball).linear_velocity().x, -speed, 0.001f * speed);
+            }
+            else
+                EXPECT_NEAR(world.body(ball).position().x, -0.2f, 0.01f) << speed;
+        }
+}
+
 } // namespace carom
