@@ -3,6 +3,8 @@
 
 #include "solver/joint_kernels.hpp"
 
+#include <algorithm>
+#include <span>
 #include <variant>
 
 namespace carom::detail
@@ -187,9 +189,28 @@ void fill_type(JointRow<F>& row, int i, const Joint& joint, const JointFrames& f
     }
 }
 
+/// How strongly the forces of a joint turn a body back that turns out of their line: force times arm [N m/rad]. A link of length L under a
+/// tension T has T L.
+inline void add_stiffness(const Joint& joint, const BodyStore& bodies, std::span<float> stiffness)
+{
+    if (joint.force == Vec2{}) return;
+    const JointFrames f = frames_of(joint, bodies);
+    stiffness[bodies.motion_index[joint.body_b]] += dot(joint.force, f.b.p - f.center_b);
+    if (joint.body_a != null_index) stiffness[bodies.motion_index[joint.body_a]] -= dot(joint.force, f.a.p - f.center_a);
+}
+
+/// The inverse inertia that joints see. A light link under a high tension swings at sqrt(stiffness / inertia), faster than substeps can follow
+/// beyond 2 / h: it would gain energy until the chain breaks up. Such a link is given as much inertia as it takes to swing at 1 / h.
+inline float steady_inv_inertia(float inv_inertia, float stiffness, float h)
+{
+    return stiffness > 0 ? std::min(inv_inertia, 1 / std::max(h * h * stiffness, 1e-30f)) : inv_inertia;
+}
+
 /// Writes a joint into lane `i` of a row of its type and shape.
+/// @param inv_inertia by motion index
 template <class F>
-void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, const JointStepConstants& k)
+void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, std::span<const float> inv_inertia,
+              const JointStepConstants& k)
 {
     const JointFrames f = frames_of(joint, bodies);
     const std::uint32_t index_a = joint.body_a == null_index ? 0 : bodies.motion_index[joint.body_a];
@@ -204,8 +225,8 @@ void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, c
     row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
     set_lane(row.inv_mass_a, i, mass_a.inv_mass);
     set_lane(row.inv_mass_b, i, mass_b.inv_mass);
-    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
-    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
+    lane(row.inv_inertia_a, i) = inv_inertia[index_a];
+    lane(row.inv_inertia_b, i) = inv_inertia[index_b];
 
     // A mouse pulls from its target, wherever the frame of A is.
     const auto* mouse = std::get_if<MouseJoint>(&joint.spec);

@@ -21,7 +21,7 @@ template <class F>
 class JointSolver
 {
 public:
-    explicit JointSolver(std::pmr::memory_resource& memory) : rows_(&memory), articulation_(memory) {}
+    explicit JointSolver(std::pmr::memory_resource& memory) : rows_(&memory), inv_inertia_(&memory), articulation_(memory) {}
 
     /// Makes a row of every joint that has a colour.
     void build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants);
@@ -39,6 +39,7 @@ public:
 private:
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
+    void find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h);
     void plan_articulation();
     void factor();
     template <bool WithBias>
@@ -49,7 +50,8 @@ private:
     }
 
     std::pmr::vector<JointRow<F>> rows_;
-    Articulation articulation_; ///< a joint a lane, in the order of the rows
+    std::pmr::vector<float> inv_inertia_; ///< by motion index, as joints see it [1/(kg m^2)]
+    Articulation articulation_;           ///< a joint a lane, in the order of the rows
     JointConstants<F> constants_ = {};
 };
 

@@ -16,6 +16,7 @@ void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, c
     articulation_.joints.clear();
     constants_ = {F(constants.h), F(constants.inv_h), F(constants.rigid.bias_rate), F(constants.rigid.mass_scale),
                   F(constants.rigid.impulse_scale)};
+    find_inertias(colors, bodies, joints, constants.h);
     // A row's lanes hold joints of one type and one colour; those that found no colour depend on each other and get a lane each.
     for (int color = color_count; color-- > 0;)
     {
@@ -34,7 +35,7 @@ void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, c
                     shape = shape_of(joint.spec).key();
                     next = 0;
                 }
-                fill_row(rows_.back(), next++, slot, joint, bodies, constants);
+                fill_row(rows_.back(), next++, slot, joint, bodies, inv_inertia_, constants);
             }
         }
     }
@@ -47,6 +48,17 @@ void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, c
     }
     plan_articulation();
     factor();
+}
+
+/// What each body opposes to turning by joints.
+template <class F>
+void JointSolver<F>::find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h)
+{
+    inv_inertia_.assign(bodies.masses.size(), 0);
+    for (int color = 0; color < color_count; ++color)
+        for (const std::uint32_t slot : colors.list(color)) add_stiffness(joints.joints[slot], bodies, inv_inertia_);
+    for (std::size_t i = 0; i < inv_inertia_.size(); ++i)
+        inv_inertia_[i] = steady_inv_inertia(bodies.masses[i].inv_inertia, inv_inertia_[i], h);
 }
 
 template <class F>
