@@ -166,6 +166,7 @@ void run(RandomPile& pile)
     const ContactConstants constants = make_contact_constants({}, 1 / 60.0f, 1 / 240.0f, 1 / 480.0f);
     solver.build(pile.colors, pile.bodies, pile.contacts, constants);
     std::span<BodyMotion> motions = pile.bodies.motions;
+    solver.bounce(motions);
     for (int substep = 0; substep < 3; ++substep)
     {
         solver.warm_start(motions);
@@ -177,7 +178,6 @@ void run(RandomPile& pile)
         }
         solver.relax(motions);
     }
-    solver.bounce(motions);
     solver.store_impulses(pile.contacts, pile.bodies.watches);
 }
 

@@ -25,7 +25,7 @@ struct PointRow
     LaneVec<F> r_a;
     LaneVec<F> r_b;
     F adjusted_separation; ///< s - n . (r_b - r_a): what is left is n . (way of the point on B - on A)
-    F normal_velocity;     ///< vn at the start of the step, for restitution
+    F normal_velocity;     ///< vn at the start of the step
     F normal_mass;         ///< m_n
     F tangent_mass;        ///< m_t
     F lambda_n;            ///< of this substep
@@ -62,6 +62,7 @@ struct ContactRow
     F carried; ///< lambda_c of each point
     std::array<PointRow<F>, Points> points;
     std::array<std::uint32_t, lane_width<F>> contact; ///< where the lane's results go back to
+    bool may_bounce;                                  ///< whether any lane approaches fast enough
 };
 
 /// What the kernels of a pass share.
@@ -71,6 +72,7 @@ struct PassConstants
     F inv_h;
     F push_out_speed;
     F restitution_threshold;
+    F reach; ///< how long ahead a meeting bounces now [s]: the step, and a quarter for what speeds up on the way
 };
 
 template <class F, int N>
@@ -181,35 +183,62 @@ void relax(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, Bo
     }
 }
 
-/// Newton's bounce, once a step: a point that met faster than the threshold and was pushed leaves with vn = -e vn_start. The two
-/// points of a face push against each other, so they are visited until they agree (each visit takes off 96% of the error for a
-/// square). Such an impulse is no guess for the next step, where the surfaces part, so that it does not warm start.
+/// Newton's bounce, at the start of a step: a point that meets within the step, faster than the threshold, leaves with vn = -e vn at once, with
+/// Coulomb's friction and rolling resistance under that blow. The blow is no guess for the next step, so that it does not warm start.
+///
+/// It comes before the passes, since those stop an approach without a bounce and spread its momentum over all that touch: of a row of balls
+/// that is hit, all would move on together. Here each pair collides by itself, and again and again until no one approaches another.
+/// @return the sum of the blows: 0 when nothing has bounced
 template <class F, int N>
-void bounce(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+F bounce(ContactRow<F, N>& row, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
+    std::array<F, N> target; // vn to bring about
+    std::array<F, N> bounces;
+    F any = F(0);
+    for (std::size_t i = 0; i < N; ++i)
+    {
+        const PointRow<F>& point = row.points[i];
+        const F s = dot(point.r_b - point.r_a, row.n) + point.adjusted_separation;
+        const F vn = dot(relative_velocity(point, a, b), row.n);
+        const auto meets = (vn < -k.restitution_threshold) & (s + k.reach * vn < F(0)) & (row.restitution > F(0));
+        bounces[i] = select(meets, F(1), F(0));
+        target[i] = -row.restitution * vn;
+        any = any + bounces[i];
+    }
+
+    // The two points of a face push against each other, so they are visited until they agree: each visit takes off 96% of a square's error.
     constexpr int visits = N == 1 ? 1 : 4;
-    std::array<F, N> pushed = {};
+    std::array<F, N> blow = {};
     for (int visit = 0; visit < visits; ++visit)
     {
         for (std::size_t i = 0; i < N; ++i)
         {
             PointRow<F>& point = row.points[i];
-            const auto bounces = (point.normal_velocity < -k.restitution_threshold) & (point.total_n > F(0)) & (row.restitution > F(0));
             const F vn = dot(relative_velocity(point, a, b), row.n);
-            const F wanted = lane_max(pushed[i] - point.normal_mass * (vn + row.restitution * point.normal_velocity), F(0));
-            const F next = select(bounces, wanted, F(0));
-            apply_impulse(row, point, row.n * (next - pushed[i]), a, b);
-            pushed[i] = next;
+            const F next = lane_max(blow[i] - point.normal_mass * (vn - target[i]), F(0)) * bounces[i];
+            apply_impulse(row, point, row.n * (next - blow[i]), a, b);
+            blow[i] = next;
         }
     }
+    F pressure = F(0);
+    const LaneVec<F> t = right_perp(row.n);
     for (std::size_t i = 0; i < N; ++i)
     {
         PointRow<F>& point = row.points[i];
-        const auto has_bounced = pushed[i] > F(0);
-        point.total_n = point.total_n + pushed[i];
-        point.lambda_n = select(has_bounced, F(0), point.lambda_n);
-        point.lambda_t = select(has_bounced, F(0), point.lambda_t);
+        const F vt = dot(relative_velocity(point, a, b), t);
+        const F limit = row.friction * blow[i];
+        const F rub = lane_max(-limit, lane_min(F(0) - point.tangent_mass * (vt - row.tangent_speed), limit));
+        apply_impulse(row, point, t * rub, a, b);
+        point.total_n = point.total_n + blow[i];
+        point.total_t = point.total_t + rub;
+        pressure = pressure + blow[i];
     }
+    const F limit = row.rolling_resistance * pressure;
+    const F twist = lane_max(-limit, lane_min(F(0) - row.rolling_mass * (b.w - a.w), limit));
+    row.rolling_total = row.rolling_total + twist;
+    a.w = a.w - row.inv_inertia_a * twist;
+    b.w = b.w + row.inv_inertia_b * twist;
+    return any;
 }
 
 } // namespace carom::detail

@@ -14,7 +14,7 @@ namespace
 using Row = ContactRow<float, 2>;
 using Lanes = BodyLanes<float>;
 
-constexpr PassConstants<float> pass = {240, 3, 1};
+constexpr PassConstants<float> pass = {240, 3, 1, 1 / 48.0f};
 
 float effective_mass(const Row& row, const PointRow<float>& point, LaneVec<float> u)
 {
@@ -168,42 +168,67 @@ TEST(ContactRow, AnApproachEndsAtTheSurfaceAndNotBefore)
     EXPECT_NEAR(dot(relative_velocity(point, c.a, c.b), c.row.n), -0.01f * pass.inv_h, 1e-3);
 }
 
+/// A square of 1 kg at 4 m/s, flat above the ground at the origin.
+struct Landing
+{
+    explicit Landing(float gap)
+    {
+        row.inv_mass_b = {1, 1};
+        row.inv_inertia_b = 6;
+        row.n = {0, 1};
+        row.restitution = 0.5f;
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            PointRow<float>& point = row.points[i];
+            point.r_a = {i == 0 ? -0.5f : 0.5f, 0};
+            point.r_b = {i == 0 ? -0.5f : 0.5f, -0.5f};
+            point.adjusted_separation = gap + 0.5f;
+            point.normal_mass = effective_mass(row, point, row.n);
+            point.tangent_mass = effective_mass(row, point, right_perp(row.n));
+        }
+    }
+
+    Row row = {};
+    Lanes ground = {{}, 0, {}, {1, 0}};
+    Lanes box = {{0, -4}, 0, {}, {1, 0}};
+};
+
 TEST(ContactRow, ABounceReturnsTheApproachSpeedOfBothPointsOfAFace)
 {
-    // A square of 1 kg that lands flat on the ground.
-    Row row = {};
-    row.inv_mass_b = {1, 1};
-    row.inv_inertia_b = 6;
-    row.n = {0, 1};
-    row.restitution = 0.5f;
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-        PointRow<float>& point = row.points[i];
-        point.r_b = {i == 0 ? -0.5f : 0.5f, -0.5f};
-        point.normal_velocity = -4;
-        point.normal_mass = effective_mass(row, point, row.n);
-        point.total_n = 1;
-        point.lambda_n = 1;
-    }
-    Lanes ground = {{}, 0, {}, {1, 0}};
-    Lanes box = {{0, 0}, 0, {}, {1, 0}};
-    bounce(row, pass, ground, box);
-    EXPECT_NEAR(box.v.y, 2, 0.01);
-    EXPECT_NEAR(box.w, 0, 0.01);
-    EXPECT_EQ(ground.v.y, 0);
-    EXPECT_EQ(row.points[0].lambda_n, 0) << "no guess for the next step";
+    Landing c(0.01f);
+    EXPECT_GT(bounce(c.row, pass, c.ground, c.box), 0);
+    EXPECT_NEAR(c.box.v.y, 2, 0.01);
+    EXPECT_NEAR(c.box.w, 0, 0.01);
+    EXPECT_EQ(c.ground.v.y, 0);
+    EXPECT_NEAR(c.row.points[0].total_n + c.row.points[1].total_n, 6, 0.02);
+    EXPECT_EQ(c.row.points[0].lambda_n, 0) << "no guess for the next step";
+    EXPECT_EQ(bounce(c.row, pass, c.ground, c.box), 0) << "once";
 }
 
-TEST(ContactRow, ABounceNeedsSpeedAndAPush)
+TEST(ContactRow, ABounceRubsAsHardAsCoulombSays)
 {
-    for (const bool is_slow : {false, true})
+    Landing c(0);
+    c.row.friction = 0.25f;
+    c.box.v.x = 10;
+    bounce(c.row, pass, c.ground, c.box);
+    EXPECT_NEAR(c.box.v.x, 10 - 0.25f * 6, 0.02);
+    EXPECT_GT(-c.box.w, 1) << "it tumbles forwards";
+}
+
+TEST(ContactRow, ABounceNeedsSpeedAMeetingAndRestitution)
+{
+    Landing slow(0);
+    slow.box.v.y = -0.99f;
+    Landing far(4 * pass.reach + 0.001f);
+    Landing dull(0);
+    dull.row.restitution = 0;
+    for (Landing* c : {&slow, &far, &dull})
     {
-        RandomContact c(2);
-        const Lanes before = c.b;
-        for (PointRow<float>& point : c.row.points) (is_slow ? point.normal_velocity : point.total_n) = is_slow ? -0.99f : 0.0f;
-        bounce(c.row, pass, c.a, c.b);
-        EXPECT_EQ(c.b.v.x, before.v.x);
-        EXPECT_EQ(c.b.w, before.w);
+        const Lanes before = c->box;
+        EXPECT_EQ(bounce(c->row, pass, c->ground, c->box), 0);
+        EXPECT_EQ(c->box.v.x, before.v.x);
+        EXPECT_EQ(c->box.v.y, before.v.y);
+        EXPECT_EQ(c->box.w, before.w);
     }
 }
 

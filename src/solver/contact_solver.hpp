@@ -21,15 +21,16 @@ template <class F>
 class ContactSolver
 {
 public:
-    explicit ContactSolver(std::pmr::memory_resource& memory) : single_(&memory), double_(&memory), ranges_(&memory) {}
+    explicit ContactSolver(std::pmr::memory_resource& memory) : single_(&memory), double_(&memory), ranges_(&memory), struck_(&memory) {}
 
     /// Makes a row of every contact that has a colour.
     void build(const ContactColors& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants);
 
+    /// Collisions that bounce, before the substeps.
+    void bounce(std::span<BodyMotion> motions);
     void warm_start(std::span<BodyMotion> motions);
     void solve(std::span<BodyMotion> motions);
     void relax(std::span<BodyMotion> motions);
-    void bounce(std::span<BodyMotion> motions);
 
     /// @param watches bodies of contacts that are still coming up begin their rest anew
     void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const;
@@ -54,6 +55,7 @@ private:
     std::pmr::vector<ContactRow<F, 1>> single_;
     std::pmr::vector<ContactRow<F, 2>> double_;
     std::pmr::vector<ColorRange> ranges_;
+    std::pmr::vector<std::uint32_t> struck_; ///< by motion index, scratch of bounce()
     PassConstants<F> pass_ = {};
     int row_count_ = 0;
     float carry_share_ = 0;

@@ -35,8 +35,9 @@ void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPo
 }
 
 /// Writes a contact into lane `i` of a row.
+/// @return whether it approaches fast enough to bounce, or nearly so: the kernel decides
 template <class F, int N>
-void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
+bool fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
               const ContactConstants& constants)
 {
     const Contact& contact = contacts.contacts[slot];
@@ -70,9 +71,14 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     lane(row.mass_scale, i) = softness.mass_scale;
     lane(row.impulse_scale, i) = softness.impulse_scale;
     lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
+    bool is_fast = false;
     for (std::size_t p = 0; p < N; ++p)
+    {
         fill_point(row, i, p, manifold.points[p], manifold.normal, bodies.motions[index_a], bodies.motions[index_b], mass_a, mass_b,
                    constants.warm_scale);
+        is_fast = is_fast || lane(row.points[p].normal_velocity, i) < -0.99f * constants.restitution_threshold;
+    }
+    return is_fast && contact.restitution > 0;
 }
 
 /// Puts contacts one after the other into the lanes of rows; a last row's free lanes stay zero and push nothing.
@@ -90,13 +96,17 @@ public:
             rows_->emplace_back(ContactRow<F, N>{}).contact.fill(null_index);
             next_ = 0;
         }
-        fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
+        const bool may_bounce = fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
+        rows_->back().may_bounce = rows_->back().may_bounce || may_bounce;
+        any_bounces_ = any_bounces_ || may_bounce;
     }
+    bool any_bounces() const { return any_bounces_; }
 
 private:
     std::pmr::vector<ContactRow<F, N>>* rows_;
     int lanes_;
     int next_;
+    bool any_bounces_ = false;
 };
 
 template <class F>
@@ -113,8 +123,8 @@ void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lan
             single.write(slot, bodies, contacts, constants);
         else
             pairs.write(slot, bodies, contacts, constants);
-        any_bounces_ = any_bounces_ || contacts.contacts[slot].restitution > 0;
     }
+    any_bounces_ = any_bounces_ || single.any_bounces() || pairs.any_bounces();
     range.end_single = single_.size();
     range.end_double = double_.size();
     ranges_.push_back(range);
@@ -131,7 +141,7 @@ void ContactSolver<F>::build(const ContactColors& colors, const BodyStore& bodie
     row_count_ = 0;
     any_bounces_ = false;
     carry_share_ = constants.carry_share;
-    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold)};
+    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt)};
 
     build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
     for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
@@ -174,11 +184,45 @@ void ContactSolver<F>::relax(std::span<BodyMotion> motions)
     for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::relax(row, pass_, a, b); });
 }
 
+/// A blow goes on from pair to pair. After the first round only rows whose bodies a blow has changed since they were last looked at can bounce.
 template <class F>
 void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
 {
     if (!any_bounces_) return;
-    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::bounce(row, pass_, a, b); });
+    constexpr std::uint32_t most_rounds = 16; // what is left then is for the passes
+    struck_.assign(motions.size(), 0);        // the last round, from 1, in which a body was struck
+    bool goes_on = true;
+    for (std::uint32_t round = 1; goes_on && round <= most_rounds; ++round)
+    {
+        goes_on = false;
+        const auto is_struck = [&](std::uint32_t body) { return body != 0 && struck_[body] + 1 >= round && struck_[body] > 0; };
+        const auto run = [&](auto& row)
+        {
+            bool may = round == 1 && row.may_bounce;
+            for (std::size_t i = 0; i < lane_width<F>; ++i) may = may || is_struck(row.pushed_a[i]) || is_struck(row.pushed_b[i]);
+            if (!may) return;
+            BodyLanes<F> a = gather<F>(motions, row.body_a);
+            BodyLanes<F> b = gather<F>(motions, row.body_b);
+            const F bounced = detail::bounce(row, pass_, a, b);
+            BodyIndices<F> to_a = {};
+            BodyIndices<F> to_b = {};
+            for (int i = 0; i < lane_width<F>; ++i)
+            {
+                const auto at = static_cast<std::size_t>(i);
+                if (!(lane(bounced, i) > 0)) continue;
+                struck_[to_a[at] = row.pushed_a[at]] = round;
+                struck_[to_b[at] = row.pushed_b[at]] = round;
+                goes_on = true;
+            }
+            scatter<F>(motions, to_a, a);
+            scatter<F>(motions, to_b, b);
+        };
+        for (const ColorRange& range : ranges_)
+        {
+            for (std::size_t i = range.first_single; i < range.end_single; ++i) run(single_[i]);
+            for (std::size_t i = range.first_double; i < range.end_double; ++i) run(double_[i]);
+        }
+    }
 }
 
 template <class F>

@@ -56,6 +56,7 @@ inline SpringRow<float> make_spring(float hertz, float damping_ratio, float h)
 /// What the contact rows of a step share.
 struct ContactConstants
 {
+    float dt = 0;                    ///< step [s]
     float h = 0;                     ///< substep [s]
     float inv_h = 0;                 ///< [1/s]
     float push_out_speed = 0;        ///< [m/s]
@@ -84,7 +85,8 @@ inline ContactConstants make_contact_constants(const SolverTuning& tuning, float
 {
     // A spring is integrated well up to an eighth of the substep rate; stiffer ones ring.
     const float hertz = std::min(tuning.contact_hertz, 0.125f / h);
-    return {.h = h,
+    return {.dt = dt,
+            .h = h,
             .inv_h = 1 / h,
             .push_out_speed = tuning.push_out_speed,
             .restitution_threshold = tuning.restitution_threshold,

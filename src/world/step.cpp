@@ -84,6 +84,10 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
         joints.build(world.joint_colors, bodies, world.joints, make_joint_constants(world.tuning, h, world.last_substep));
         solver.build(world.colors, bodies, world.contacts, constants);
     }
+    {
+        StageTimer timer(report, Stage::Restitution);
+        solver.bounce(bodies.motions);
+    }
     for (int i = 0; i < substeps; ++i)
     {
         {
@@ -108,10 +112,6 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
         StageTimer timer(report, Stage::Relax);
         joints.relax(bodies.motions);
         solver.relax(bodies.motions);
-    }
-    {
-        StageTimer timer(report, Stage::Restitution);
-        solver.bounce(bodies.motions);
     }
     {
         StageTimer timer(report, Stage::StoreImpulses);

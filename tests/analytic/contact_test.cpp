@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace carom
 {
@@ -107,6 +108,51 @@ TEST_P(Rebound, reaches_e_squared_of_the_height)
 }
 
 INSTANTIATE_TEST_SUITE_P(Restitutions, Rebound, testing::Values(0.3f, 0.5f, 0.8f, 1.0f));
+
+/// A blow goes through a row of boxes that touch, whatever the order in which their contacts are solved.
+TEST(Collision, a_row_of_boxes_passes_a_blow_on_to_its_last)
+{
+    for (const bool forwards : {false, true})
+    {
+        World world({.gravity = {0, 0}});
+        std::vector<BodyId> row(8);
+        for (int i = 0; i < 8; ++i)
+        {
+            const int place = forwards ? i : 7 - i;
+            row[static_cast<std::size_t>(place)] =
+                world.create_body({.position = {static_cast<float>(place), 0}}, box(1, 1), surface(0, 1));
+        }
+        const BodyId first = world.create_body({.position = {-3, 0}, .linear_velocity = {5, 0}}, box(1, 1), surface(0, 1));
+        for (int i = 0; i < 60; ++i) world.step(dt);
+        EXPECT_NEAR(world.body(row.back()).linear_velocity().x, 5, 0.05);
+        EXPECT_NEAR(world.body(first).linear_velocity().x, 0, 0.05);
+        for (int i = 0; i < 7; ++i) EXPECT_NEAR(world.body(row[static_cast<std::size_t>(i)]).linear_velocity().x, 0, 0.05) << i;
+    }
+}
+
+TEST(Collision, a_dense_gas_of_discs_keeps_its_energy)
+{
+    World world({.gravity = {0, 0}, .solver = {.restitution_threshold = 0}});
+    const BodyId walls = world.create_body({.type = BodyType::Static});
+    for (const Vec2 side : {Vec2{-11, 0}, Vec2{11, 0}}) world.create_shape(walls, offset_box(2, 24, side), surface(0, 1));
+    for (const Vec2 side : {Vec2{0, -11}, Vec2{0, 11}}) world.create_shape(walls, offset_box(24, 2, side), surface(0, 1));
+    std::vector<BodyId> discs;
+    for (int i = 0; i < 196; ++i)
+    {
+        const Vec2 place = 1.35f * Vec2{static_cast<float>(i % 14) - 6.5f, static_cast<float>(i / 14) - 6.5f};
+        const Vec2 v = {static_cast<float>((i * 37) % 21 - 10) * 0.4f, static_cast<float>((i * 53) % 19 - 9) * 0.4f};
+        discs.push_back(world.create_body({.position = place, .linear_velocity = v}, circle(0.45f), surface(0, 1)));
+    }
+    const auto energy = [&]
+    {
+        double sum = 0;
+        for (const BodyId id : discs) sum += kinetic_energy(world.body(id));
+        return sum;
+    };
+    const double before = energy();
+    for (int i = 0; i < 600; ++i) world.step(dt);
+    EXPECT_NEAR(energy(), before, 0.02 * before);
+}
 
 TEST(Collision, a_box_that_lands_flat_bounces_without_turning)
 {

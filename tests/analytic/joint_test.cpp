@@ -490,6 +490,49 @@ TEST(JointSpring, swings_with_its_frequency_and_its_damping)
         }
 }
 
+// ---- Newton's cradle ----
+
+namespace
+{
+
+/// Speeds of five balls on rods along x, after the first has come down from 1 rad and hit the others.
+std::vector<double> speeds_after_the_blow(float gap)
+{
+    constexpr float radius = 0.5f;
+    constexpr float rod = 4;
+    World world;
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 5; ++i)
+    {
+        const Vec2 top{static_cast<float>(i) * (2 * radius + gap), 0};
+        const Rot q = rotation(i == 0 ? -1.0f : 0.0f);
+        const Vec2 place = top + rotate(q, Vec2{0, -rod});
+        balls.push_back(world.create_body({.position = place}, circle(radius), {.material = {.friction = 0, .restitution = 1}}));
+        world.create_joint(world.joint_between({}, balls.back(), top, place), DistanceJoint{.length = rod});
+    }
+    const auto speeds = [&]
+    {
+        std::vector<double> all;
+        for (const BodyId id : balls) all.push_back(double{world.body(id).linear_velocity().x});
+        return all;
+    };
+    for (int i = 0; i < 300 && speeds().back() < 1; ++i) world.step(dt);
+    return speeds();
+}
+
+} // namespace
+
+TEST(Cradle, passes_momentum_through_five_balls)
+{
+    const double speed = std::sqrt(2 * g * 4 * (1 - std::cos(1.0)));
+    for (const float gap : {0.0f, 0.001f, 0.01f})
+    {
+        const std::vector<double> after = speeds_after_the_blow(gap);
+        EXPECT_NEAR(after[4], speed, 0.02 * speed) << "gap " << gap;
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(after[i], 0, 0.02 * speed) << "ball " << i << ", gap " << gap;
+    }
+}
+
 // ---- mass ratios ----
 
 TEST(MassRatio, a_weight_of_200_hangs_from_a_light_link)
