@@ -66,6 +66,15 @@ Sweep rest(const Sweep& sweep, float from)
             rotation(from * sweep.turn) * sweep.q_start, (1 - from) * sweep.turn};
 }
 
+/// Two links of one chain, two limbs of one ragdoll. Stopping one of them would tear at the joints between; a whip that folds is better off without.
+bool are_parts_of_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b)
+{
+    const BodyRecord& record_a = bodies.records[a];
+    const BodyRecord& record_b = bodies.records[b];
+    const bool have_joints = record_a.first_joint != null_index && record_b.first_joint != null_index;
+    return have_joints && record_a.island != null_index && record_a.island == record_b.island;
+}
+
 } // namespace
 
 ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& memory)
@@ -163,6 +172,7 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     const std::uint32_t body = near.shapes.records[other].body;
     const PairVerdict verdict = judge_pair(near.shapes, near.bodies, near.joints, {std::min(shape, other), std::max(shape, other)});
     if (!verdict.makes_contact) return;
+    if (!verdict.is_sensor && are_parts_of_one(near.bodies, near.shapes.records[shape].body, body)) return;
     std::uint32_t other_mover = mover_of_body_[body];
     if (other_mover != null_index && movers_[other_mover].is_fast && other < shape) return; // it finds this one
     if (verdict.is_sensor)

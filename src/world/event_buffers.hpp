@@ -39,6 +39,7 @@ struct EventBuffers
         contact_begin.clear();
         contact_persist.clear();
         contact_end.clear();
+        contact_hit.clear();
         sensor_begin.clear();
         sensor_persist.clear();
         sensor_end.clear();
@@ -73,7 +74,7 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
 /// Compares what touches now with what the events have told, and fills the lists, each ordered by the shapes' indices.
 /// @return number of contacts that touch
 /// @param crossings overlaps that began and ended within the step: they are told now as begun, and in the next step as ended
-int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes,
-                const ContactRules& rules, EventBuffers& events);
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, const ContactRules& rules,
+                EventBuffers& events);
 
 } // namespace carom::detail
