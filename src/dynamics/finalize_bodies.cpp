@@ -4,6 +4,7 @@
 #include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom::detail
@@ -82,6 +83,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         const Rot q = normalize(motion.dq * pose.transform.q);
         const Transform transform = {center - rotate(q, pose.local_center), q};
         const Sweep sweep = {pose.local_center, pose.center, center, pose.transform.q, motion_turn(motion, dt)};
+        const float way = length(motion.dp);
         motion.dp = {};
         motion.dq = {};
         bodies.drives[i].force = {};
@@ -97,7 +99,9 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         pose.center = center;
         pose.transform = transform;
         BodyWatch& watch = bodies.watches[i];
-        const bool is_slow = length(motion.v) + std::abs(motion.w) * watch.outer_radius <= sleep_speed;
+        // A body that a joint is still pulling into place comes along without a velocity.
+        const float speed = std::max(length(motion.v), way / dt);
+        const bool is_slow = speed + std::abs(motion.w) * watch.outer_radius <= sleep_speed;
         watch.rest_time = is_slow && watch.can_sleep ? watch.rest_time + dt : 0;
         refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
         if (!fast || !is_fast(sweep, watch, bodies.records[motion.slot].type)) continue;

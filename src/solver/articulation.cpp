@@ -9,9 +9,6 @@ namespace
 
 constexpr std::size_t n = max_rigid_rows;
 
-/// A row whose pivot falls to this share of its diagonal says what other rows say already, within the rounding of the Jacobians; it is left out.
-constexpr double least_pivot = 1e-6;
-
 /// J_i M^-1 J_k^T of one body that two joints share. Impulses act on a joint's A with the opposite sign.
 double couple(const ArticulatedJoint& row, std::size_t i, bool row_is_b, const ArticulatedJoint& column, std::size_t k, bool column_is_b)
 {
@@ -28,17 +25,14 @@ double couple(const ArticulatedJoint& row, std::size_t i, bool row_is_b, const A
     return row_is_b == column_is_b ? sum : -sum;
 }
 
-/// D^-1 by elimination of unit columns; rows without a pivot give zero rows.
-/// @param original the diagonal before other joints were eliminated from it
-std::array<double, n * n> inverse(std::array<double, n * n> d, const std::array<double, n>& original)
+/// D^-1 by elimination of unit columns; rows that can push nothing give zero rows.
+std::array<double, n * n> inverse(std::array<double, n * n> d)
 {
     std::array<double, n * n> inv = {};
-    for (std::size_t i = 0; i < n; ++i) inv[n * i + i] = 1;
-    std::array<bool, n> is_kept = {};
     for (std::size_t i = 0; i < n; ++i)
     {
-        is_kept[i] = d[n * i + i] > least_pivot * original[i];
-        if (!is_kept[i]) continue;
+        if (!(d[n * i + i] > 0)) continue;
+        inv[n * i + i] = 1;
         const double p = 1 / d[n * i + i];
         for (std::size_t c = 0; c < n; ++c) d[n * i + c] *= p, inv[n * i + c] *= p;
         for (std::size_t r = 0; r < n; ++r)
@@ -48,9 +42,6 @@ std::array<double, n * n> inverse(std::array<double, n * n> d, const std::array<
             for (std::size_t c = 0; c < n; ++c) d[n * r + c] -= f * d[n * i + c], inv[n * r + c] -= f * inv[n * i + c];
         }
     }
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t c = 0; c < n; ++c)
-            if (!is_kept[i] || !is_kept[c]) inv[n * i + c] = 0;
     return inv;
 }
 
@@ -69,18 +60,21 @@ void Articulation::factor()
     }
     for (std::size_t k = 0; k < columns_.size(); ++k)
     {
-        const ArticulatedJoint& joint = joints[columns_[k].joint];
+        ArticulatedJoint& joint = joints[columns_[k].joint];
         diagonal_[k] = {};
         for (std::size_t i = 0; i < static_cast<std::size_t>(joint.count); ++i)
+        {
             for (std::size_t c = 0; c < static_cast<std::size_t>(joint.count); ++c)
                 diagonal_[k][n * i + c] = couple(joint, i, false, joint, c, false) + couple(joint, i, true, joint, c, true);
+            joint.softness[i] = articulation_softness * diagonal_[k][n * i + i];
+            diagonal_[k][n * i + i] += joint.softness[i];
+        }
     }
-    for (std::size_t k = 0; k < columns_.size(); ++k) original_[k] = {diagonal_[k][0], diagonal_[k][n + 1], diagonal_[k][2 * n + 2]};
 
     for (std::size_t k = 0; k < columns_.size(); ++k)
     {
         const Column& column = columns_[k];
-        diagonal_[k] = inverse(diagonal_[k], original_[k]);
+        diagonal_[k] = inverse(diagonal_[k]);
         std::uint32_t target = column.targets_begin;
         for (std::uint32_t f = column.front_begin; f < column.front_end; ++f)
         {
@@ -130,6 +124,18 @@ void Articulation::solve()
         }
         at(k) = x;
     }
+}
+
+void Articulation::solve_consistent()
+{
+    // With y = (A + S)^-1 rhs, rhs - S y = A y is what can be had.
+    wanted_.resize(joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) wanted_[i] = joints[i].rhs;
+    solve();
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        for (std::size_t k = 0; k < n; ++k)
+            joints[i].rhs[k] = joints[i].is_in ? wanted_[i][k] - joints[i].softness[k] * joints[i].rhs[k] : 0;
+    solve();
 }
 
 } // namespace carom::detail

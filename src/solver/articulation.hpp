@@ -7,6 +7,9 @@
 // Eliminating a joint couples all joints on its two bodies, as if the bodies had become one. So the plan only merges bodies and keeps for
 // each merged one the list of joints that are left on it: its `front` is what the next elimination there will couple. Joints are taken by rising
 // size of their fronts. One whose front is too large (a wide net) is left to be solved by itself, and counts no more.
+//
+// Rows may say the same twice, as in a net of pins, or contradict each other. Each is a very stiff spring rather than rigid:
+//   (A + S) change = -rhs - S lambda,   S = 1e-5 of the diagonal of A
 #pragma once
 
 #include "solver/joint_row.hpp"
@@ -20,6 +23,11 @@
 namespace carom::detail
 {
 
+/// The softness of every row, as a share of its diagonal of A. A needs it where rows say the same twice, as in a net of pins, or contradict
+/// each other. What it costs: at a tension T a row stretches by T h^2 softness / (h bias_rate), a micrometre under 1 t on a link of 1 kg.
+/// Below 1e-6 the rounding of float velocities shakes nets apart; from 1e-4 on, a gear slips.
+inline constexpr double articulation_softness = 1e-5;
+
 /// What the system needs to know of a joint.
 struct ArticulatedJoint
 {
@@ -31,8 +39,10 @@ struct ArticulatedJoint
     Vec2 inv_mass_b;
     float inv_inertia_a = 0;
     float inv_inertia_b = 0;
-    std::array<double, max_rigid_rows> rhs = {}; ///< in: the velocities to bring about; out: the impulses that do it
-    bool is_in = false;                          ///< planned; else it is solved by itself
+    std::array<double, max_rigid_rows> rhs = {};      ///< in: the velocities to bring about; out: the impulses that do it
+    std::array<double, max_rigid_rows> softness = {}; ///< out of factor(): what A has on its diagonal beside J M^-1 J^T
+    bool is_in = false;                               ///< planned; else it is solved by itself
+    std::uint32_t component = 0;                      ///< equal for all that hang together, below the number of bodies
 };
 
 class Articulation
@@ -49,6 +59,9 @@ public:
     void factor();
     /// Solves for all `rhs` in place.
     void solve();
+    /// Solves for that part of `rhs` which the rows can bring about together. Of a contradiction only S would be left to resist, and its huge
+    /// impulses, without effect here, would throw the bodies about where the Jacobians have changed.
+    void solve_consistent();
 
 private:
     using Block = std::array<double, max_rigid_rows * max_rigid_rows>; ///< row by row
@@ -97,10 +110,10 @@ private:
     std::pmr::vector<std::uint32_t> front_;   ///< joints, each column's by rising place
     std::pmr::vector<std::uint32_t> targets_; ///< blocks
     std::pmr::vector<Coupling> couplings_;
-    std::pmr::vector<std::uint32_t> place_;                         ///< by joint: its column
-    std::pmr::vector<Block> diagonal_;                              ///< by column; its inverse after factor()
-    std::pmr::vector<std::array<double, max_rigid_rows>> original_; ///< by column: the diagonal before any elimination
-    std::pmr::vector<Block> blocks_;                                ///< beside front_: A, then A D^-1
+    std::pmr::vector<std::uint32_t> place_;                       ///< by joint: its column
+    std::pmr::vector<Block> diagonal_;                            ///< by column; its inverse after factor()
+    std::pmr::vector<std::array<double, max_rigid_rows>> wanted_; ///< by joint, scratch of solve_consistent()
+    std::pmr::vector<Block> blocks_;                              ///< beside front_: A, then A D^-1
 
     // Scratch of a plan.
     std::pmr::vector<std::uint32_t> parent_; ///< by body: merged into
@@ -110,9 +123,10 @@ private:
     std::pmr::vector<std::uint32_t> next_;  ///< by edge
     std::pmr::vector<std::uint32_t> mark_;  ///< by joint: the last front that it was gathered into
     std::pmr::vector<std::uint32_t> gathered_;
-    std::pmr::vector<std::uint64_t> heap_; ///< front size and joint
-    std::pmr::vector<bool> is_left_;       ///< by joint: not yet eliminated
-    std::pmr::vector<bool> was_in_;        ///< by joint: what the plan decided
+    std::pmr::vector<std::uint64_t> heap_;      ///< front size and joint
+    std::pmr::vector<bool> is_left_;            ///< by joint: not yet eliminated
+    std::pmr::vector<bool> was_in_;             ///< by joint: what the plan decided
+    std::pmr::vector<std::uint32_t> component_; ///< by joint
     std::uint32_t stamp_ = 0;
 };
 

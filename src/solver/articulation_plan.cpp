@@ -23,7 +23,7 @@ Articulation::Articulation(std::pmr::memory_resource& memory)
       couplings_(&memory),
       place_(&memory),
       diagonal_(&memory),
-      original_(&memory),
+      wanted_(&memory),
       blocks_(&memory),
       parent_(&memory),
       first_(&memory),
@@ -34,7 +34,8 @@ Articulation::Articulation(std::pmr::memory_resource& memory)
       gathered_(&memory),
       heap_(&memory),
       is_left_(&memory),
-      was_in_(&memory)
+      was_in_(&memory),
+      component_(&memory)
 {
 }
 
@@ -57,9 +58,18 @@ void Articulation::plan()
         finish_columns();
         find_couplings();
         was_in_.clear();
-        for (const ArticulatedJoint& j : joints) was_in_.push_back(j.is_in);
+        component_.clear();
+        for (const ArticulatedJoint& j : joints)
+        {
+            was_in_.push_back(j.is_in);
+            component_.push_back(root_of(j.body_a != 0 ? j.body_a : j.body_b));
+        }
     }
-    for (std::size_t i = 0; i < joints.size(); ++i) joints[i].is_in = was_in_[i];
+    for (std::size_t i = 0; i < joints.size(); ++i)
+    {
+        joints[i].is_in = was_in_[i];
+        joints[i].component = component_[i];
+    }
 }
 
 /// Every body is by itself, with the list of its joints.
@@ -213,7 +223,6 @@ void Articulation::finish_columns()
     front_.resize(kept);
     blocks_.resize(kept);
     diagonal_.resize(columns_.size());
-    original_.resize(columns_.size());
     targets_.clear();
     for (Column& column : columns_)
     {

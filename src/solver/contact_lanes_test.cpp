@@ -1,101 +1,15 @@
-// The contact solver in four lanes, made of nothing but what math/lanes.hpp asks of a lane type, gives the bits of the scalar one.
+// The contact solver in four lanes gives the bits of the scalar one.
 #include "solver/contact_solver_impl.hpp"
+#include "solver/four_lanes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
 #include <cstring>
 #include <memory_resource>
 #include <random>
 
 namespace carom::detail
 {
-
-/// Four numbers, one after the other.
-struct FourLanes
-{
-    FourLanes() = default;
-    explicit FourLanes(float all) : f{all, all, all, all} {}
-
-    std::array<float, 4> f;
-};
-
-struct FourMask
-{
-    std::array<bool, 4> m;
-};
-
-template <>
-struct LaneTraits<FourLanes>
-{
-    static constexpr int width = 4;
-    using Mask = FourMask;
-};
-
-template <class Operation>
-FourLanes by_lane(const FourLanes& a, const FourLanes& b, Operation&& operation)
-{
-    FourLanes out;
-    for (std::size_t i = 0; i < 4; ++i) out.f[i] = operation(a.f[i], b.f[i]);
-    return out;
-}
-
-template <class Relation>
-FourMask compare(const FourLanes& a, const FourLanes& b, Relation&& relation)
-{
-    FourMask out;
-    for (std::size_t i = 0; i < 4; ++i) out.m[i] = relation(a.f[i], b.f[i]);
-    return out;
-}
-
-FourLanes operator+(const FourLanes& a, const FourLanes& b)
-{
-    return by_lane(a, b, [](float x, float y) { return x + y; });
-}
-FourLanes operator-(const FourLanes& a, const FourLanes& b)
-{
-    return by_lane(a, b, [](float x, float y) { return x - y; });
-}
-FourLanes operator*(const FourLanes& a, const FourLanes& b)
-{
-    return by_lane(a, b, [](float x, float y) { return x * y; });
-}
-FourLanes operator-(const FourLanes& a)
-{
-    return by_lane(a, a, [](float x, float) { return -x; });
-}
-FourMask operator>(const FourLanes& a, const FourLanes& b)
-{
-    return compare(a, b, [](float x, float y) { return x > y; });
-}
-FourMask operator<(const FourLanes& a, const FourLanes& b)
-{
-    return compare(a, b, [](float x, float y) { return x < y; });
-}
-FourMask operator&(const FourMask& a, const FourMask& b)
-{
-    FourMask out;
-    for (std::size_t i = 0; i < 4; ++i) out.m[i] = a.m[i] && b.m[i];
-    return out;
-}
-
-FourLanes select(const FourMask& mask, const FourLanes& yes, const FourLanes& no)
-{
-    FourLanes out;
-    for (std::size_t i = 0; i < 4; ++i) out.f[i] = mask.m[i] ? yes.f[i] : no.f[i];
-    return out;
-}
-FourLanes lane_max(const FourLanes& a, const FourLanes& b)
-{
-    return by_lane(a, b, [](float x, float y) { return lane_max(x, y); });
-}
-FourLanes lane_min(const FourLanes& a, const FourLanes& b)
-{
-    return by_lane(a, b, [](float x, float y) { return lane_min(x, y); });
-}
-float& lane(FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
-float lane(const FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
 
 template class ContactSolver<FourLanes>;
 
@@ -180,8 +94,6 @@ void run(RandomPile& pile)
     }
     solver.store_impulses(pile.contacts, pile.bodies.watches);
 }
-
-bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 
 void expect_same_bits(const RandomPile& one, const RandomPile& four)
 {

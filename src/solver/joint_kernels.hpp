@@ -106,7 +106,7 @@ template <class F>
 F bend_along_turning(const LaneVec<F>& u, const JointPlace<F>& p, const JointRates<F>& r, F w_a, const JointConstants<F>& k)
 {
     const LaneVec<F> way = (r.d + r.bend_d) * k.h;
-    return dot(bend(u, w_a, k), p.d + way) + dot(cross(w_a, u), way) + dot(u, r.bend_d);
+    return (dot(bend(u, w_a, k), p.d + way) + dot(cross(w_a, u), way)) * trust(k.h * w_a, full_trust_spin) + dot(u, r.bend_d);
 }
 
 /// Curvature of |d|: what moves across d makes it longer. The way is cut at a quarter of the length, where the arc is no longer told by one
@@ -216,13 +216,11 @@ void linearise_motor(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F
     set_control(row, row.controls[0], turning<F>(), turn_of(row, a, b));
 }
 
-/// Gear: C = q_a + ratio q_b, where q is a turn or a slide along an axis that turns with its own body.
+/// Gear: C = q_a + ratio q_b, where q is a turn or a slide along an axis of the body, taken as fixed over a step.
 template <class F>
 void linearise_gear(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
 {
-    const LaneVec<F> t_a = rotate(a.dq, row.place_a);
-    const LaneVec<F> t_b = rotate(b.dq, row.place_b);
-    row.rigid[0] = {{F(0) - t_a.x, F(0) - t_a.y}, t_b * row.ratio, F(0) - row.turns_a, row.ratio * row.turns_b};
+    row.rigid[0] = {row.place_a * F(-1), row.place_b * row.ratio, F(0) - row.turns_a, row.ratio * row.turns_b};
     const F q_a = row.turns_a * lane_atan2(a.dq.s, a.dq.c) + dot(row.place_a, a.dp);
     const F q_b = row.turns_b * lane_atan2(b.dq.s, b.dq.c) + dot(row.place_b, b.dp);
     row.error[0] = row.slip + q_a + row.ratio * q_b;

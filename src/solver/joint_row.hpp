@@ -247,6 +247,16 @@ void solve_drive(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
     d.lambda = next;
 }
 
+/// Most speed at which an error is undone [m/s], [rad/s]: joints that are made far from closed come together, they do not snap.
+inline constexpr float max_bias = 4;
+
+/// The speed at which a rigid row undoes its error.
+template <class F>
+F bias_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
+{
+    return lane_max(F(-max_bias), lane_min(k.bias_rate * row.error[i], F(max_bias)));
+}
+
 /// The joint's rigid rows together, as one small linear system K change = -rhs, by elimination in their order.
 template <bool WithBias, class F>
 void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
@@ -257,7 +267,7 @@ void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, 
     for (std::size_t i = 0; i < count; ++i)
     {
         x[i] = -velocity(row.rigid[i], a, b);
-        if constexpr (WithBias) x[i] = x[i] - row.curvature[i] - k.bias_rate * row.error[i];
+        if constexpr (WithBias) x[i] = x[i] - row.curvature[i] - bias_of(row, i, k);
         for (std::size_t j = 0; j < count; ++j) m[i][j] = coupling(row, row.rigid[i], row.rigid[j]);
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -279,10 +289,17 @@ void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, 
     {
         F change = x[i];
         if constexpr (WithBias) change = k.mass_scale * change - k.impulse_scale * row.lambda[i];
-        change = change * row.alone;
-        row.lambda[i] = row.lambda[i] + change;
+        row.lambda[i] = select(row.alone > F(0), row.lambda[i] + change, row.lambda[i]);
         apply(row, row.rigid[i], change, a, b);
     }
+}
+
+/// Lane by lane: where the mask is set the velocities of the first, else of the second.
+template <class F>
+void keep_velocity(const typename LaneTraits<F>::Mask& mask, BodyLanes<F>& body, const BodyLanes<F>& otherwise)
+{
+    body.v = {select(mask, body.v.x, otherwise.v.x), select(mask, body.v.y, otherwise.v.y)};
+    body.w = select(mask, body.w, otherwise.w);
 }
 
 /// One pass over a joint: what is soft first, what is rigid last. Rigid rows that are solved together with others' come after all joints.
@@ -297,7 +314,12 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
         solve_motor(row, c, a, b);
         solve_range<WithBias>(row, c, k, a, b);
     }
-    if (row.any_alone) solve_rigid<WithBias>(row, k, a, b);
+    if (!row.any_alone) return;
+    const BodyLanes<F> a_before = a;
+    const BodyLanes<F> b_before = b;
+    solve_rigid<WithBias>(row, k, a, b);
+    keep_velocity<F>(row.alone > F(0), a, a_before);
+    keep_velocity<F>(row.alone > F(0), b, b_before);
 }
 
 /// Adds what the substep gave to the sums over the step.

@@ -21,7 +21,14 @@ template <class F>
 class JointSolver
 {
 public:
-    explicit JointSolver(std::pmr::memory_resource& memory) : rows_(&memory), inv_inertia_(&memory), articulation_(memory) {}
+    explicit JointSolver(std::pmr::memory_resource& memory)
+        : rows_(&memory),
+          inv_inertia_(&memory),
+          corrections_(&memory),
+          shares_(&memory),
+          articulation_(memory)
+    {
+    }
 
     /// Makes a row of every joint that has a colour.
     void build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants);
@@ -37,6 +44,13 @@ public:
     bool is_empty() const { return rows_.empty(); }
 
 private:
+    /// How correcting would change a body's velocity.
+    struct Correction
+    {
+        Vec2 v;
+        float w = 0;
+    };
+
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
     void find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h);
@@ -44,14 +58,20 @@ private:
     void factor();
     template <bool WithBias>
     void solve_articulation(std::span<BodyMotion> motions);
+    float worst_bias() const;
+    void correct(std::span<BodyMotion> motions);
+    void add_correction(const ArticulatedJoint& joint, std::size_t row);
+    void apply_articulation(std::span<BodyMotion> motions);
     ArticulatedJoint& articulated(std::size_t row, int lane)
     {
         return articulation_.joints[row * lane_width<F> + static_cast<std::size_t>(lane)];
     }
 
     std::pmr::vector<JointRow<F>> rows_;
-    std::pmr::vector<float> inv_inertia_; ///< by motion index, as joints see it [1/(kg m^2)]
-    Articulation articulation_;           ///< a joint a lane, in the order of the rows
+    std::pmr::vector<float> inv_inertia_;      ///< by motion index, as joints see it [1/(kg m^2)]
+    std::pmr::vector<Correction> corrections_; ///< by motion index
+    std::pmr::vector<float> shares_;           ///< by component of the articulation: how much of its correction is applied
+    Articulation articulation_;                ///< a joint a lane, in the order of the rows
     JointConstants<F> constants_ = {};
 };
 
