@@ -15,5 +15,7 @@ SceneInfo character_scene();
 SceneInfo chain_terrain_scene();
 SceneInfo tiles_scene();
 SceneInfo one_way_scene();
+SceneInfo bullets_scene();
+SceneInfo sleep_scene();
 
 } // namespace carom::scenes

@@ -9,9 +9,9 @@ namespace carom::scenes
 
 const std::vector<SceneInfo>& all_scenes()
 {
-    static const std::vector<SceneInfo> scenes = {planets_scene(),       triggers_scene(), collisions_scene(),
-                                                  gravity_scene(),       queries_scene(),  character_scene(),
-                                                  chain_terrain_scene(), tiles_scene(),    one_way_scene()};
+    static const std::vector<SceneInfo> scenes = {planets_scene(), triggers_scene(),  collisions_scene(),    gravity_scene(),
+                                                  queries_scene(), character_scene(), chain_terrain_scene(), tiles_scene(),
+                                                  one_way_scene(), bullets_scene(),   sleep_scene()};
     return scenes;
 }
 

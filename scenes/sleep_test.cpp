@@ -1,0 +1,26 @@
+#include "scenes/registry.hpp"
+
+#include <gtest/gtest.h>
+
+namespace carom::scenes
+{
+
+TEST(SleepScene, comes_to_rest_and_a_ball_wakes_one_tower)
+{
+    const auto scene = make_scene("sleep", {{"balls", false}});
+    for (int i = 0; i < 420; ++i) scene->step();
+    EXPECT_EQ(scene->world().awake_body_count(), 0);
+    scene->pointer({.action = PointerEvent::Action::Down, .button = PointerEvent::Button::Left, .position = {1.5f, 8}});
+    int most = 0;
+    for (int i = 0; i < 120; ++i)
+    {
+        scene->step();
+        most = std::max(most, scene->world().awake_body_count());
+    }
+    EXPECT_GE(most, 7) << "a tower and the ball";
+    EXPECT_LE(most, 21) << "not the whole city";
+    scene->key("w");
+    EXPECT_GE(scene->world().awake_body_count(), 96);
+}
+
+} // namespace carom::scenes
