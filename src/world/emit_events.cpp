@@ -155,8 +155,8 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
                                               contact.last_normal, contact.last_tangent});
 }
 
-int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes,
-                const ContactRules& rules, EventBuffers& events)
+int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, const ContactRules& rules,
+                EventBuffers& events)
 {
     const std::uint32_t world = rules.world;
     events.contact_begin.clear();
