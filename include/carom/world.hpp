@@ -202,11 +202,11 @@ public:
     void set_continuous(bool continuous);
 
     MaterialMixing mixing() const;
-    void set_mixing(const MaterialMixing& mixing); ///< also for contacts that exist
+    void set_mixing(const MaterialMixing& mixing); ///< also for contacts that exist; wakes all
     float hit_speed() const;                       ///< [m/s]
     void set_hit_speed(float speed);               ///< [m/s], 0 to 1e6
     ContactHooks* hooks() const;
-    /// Surfaces of contacts that exist mix anew; pairs that are together stay so. The hooks must outlive
+    /// Surfaces of contacts that exist mix anew; pairs that are together stay so, and sleepers sleep on. The hooks must outlive
     /// the world's last step and edit, or be replaced before; null for none.
     void set_hooks(ContactHooks* hooks);
 

@@ -154,4 +154,38 @@ TEST_F(ChainTest, ten_thousand_segments_come_and_go_quickly)
     EXPECT_EQ(world.shape_count(), 0);
 }
 
+TEST_F(ChainTest, a_copy_of_the_world_has_it_too_and_goes_on_to_the_same_bits)
+{
+    struct Slippery : ContactHooks
+    {
+        void pre_solve(PreSolve& contact) override { contact.friction = contact.manifold.points[0].position.x > 1.5f ? 0.0f : 1.0f; }
+    } hooks;
+    const std::vector<Material> materials = {{.friction = 0.1f}, {.friction = 0.2f}, {.friction = 0.3f}};
+    const ChainId chain =
+        world.create_chain(ground, {.points = line, .sides = ChainSides::OneSided, .materials = materials, .hit_events = true});
+    for (int i = 0; i < 4; ++i)
+        world.create_body({.position = {0.5f + 0.7f * static_cast<float>(i), i % 2 == 0 ? 2.0f : -1.0f},
+                           .linear_velocity = {0, i % 2 == 0 ? 0.0f : 8.0f}},
+                          circle(0.3f), {.pre_solve = true});
+    world.set_hit_speed(2);
+    world.set_mixing({.friction = Mix::Average});
+    world.set_hooks(&hooks);
+    for (int i = 0; i < 15; ++i) world.step(1 / 60.0f);
+
+    World copy = world.copy();
+    copy.set_hooks(&hooks); // those are not copied
+    EXPECT_EQ(copy.hit_speed(), 2);
+    EXPECT_EQ(copy.mixing().friction, Mix::Average);
+    EXPECT_EQ(copy.chain(copy.translated(chain)).segments().size(), 3u);
+    for (int i = 0; i < 60; ++i)
+    {
+        world.step(1 / 60.0f);
+        copy.step(1 / 60.0f);
+        ASSERT_EQ(world.hash(), copy.hash()) << "step " << i;
+        ASSERT_EQ(world.events().contact_hit.size(), copy.events().contact_hit.size());
+    }
+    copy.destroy_chain(copy.translated(chain));
+    EXPECT_TRUE(world.find_chain(chain));
+}
+
 } // namespace carom

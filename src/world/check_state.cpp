@@ -23,6 +23,7 @@ public:
         check_contacts();
         check_joints();
         check_islands();
+        check_chains();
         return fault_;
     }
 
@@ -167,6 +168,34 @@ private:
         for (std::uint32_t body = 0; body < bodies_.slots.size(); ++body)
             dynamic += bodies_.slots.is_live(body) && bodies_.records[body].island != null_index ? 1 : 0;
         expect(in_islands == dynamic, "every dynamic body is in one island", 0);
+    }
+
+    void check_chains()
+    {
+        const ShapeStore& shapes = world_.shapes;
+        std::uint32_t in_chains = 0;
+        for (std::uint32_t chain = 0; chain < world_.chains.slots.size() && fault_.empty(); ++chain)
+        {
+            if (!world_.chains.slots.is_live(chain)) continue;
+            const ChainRecord& record = world_.chains.records[chain];
+            std::uint32_t segment = record.first_shape;
+            for (std::uint32_t i = 0; i < record.segment_count && fault_.empty(); ++i)
+            {
+                const bool is_its_own = segment != null_index && shapes.slots.is_live(segment) && shapes.records[segment].chain == chain &&
+                                        shapes.records[segment].body == record.body;
+                expect(is_its_own, "a chain's segments are its own", chain);
+                if (!is_its_own) return;
+                const std::uint32_t next = shapes.records[segment].next_in_chain;
+                expect(next == null_index || shapes.records[next].previous_in_chain == segment, "segments link both ways", chain);
+                segment = next;
+                ++in_chains;
+            }
+            expect(segment == (record.is_loop ? record.first_shape : null_index), "a loop ends where it starts", chain);
+        }
+        std::uint32_t segments = 0;
+        for (std::uint32_t shape = 0; shape < shapes.slots.size(); ++shape)
+            segments += shapes.slots.is_live(shape) && shapes.records[shape].chain != null_index ? 1 : 0;
+        expect(in_chains == segments, "every segment is in its chain", 0);
     }
 
     const WorldState& world_;

@@ -22,6 +22,8 @@ void copy_state(WorldState& to, const WorldState& from)
     to.is_broken = true; // unless the copy comes to its end
     to.gravity = from.gravity;
     to.tuning = from.tuning;
+    to.rules.mixing = from.rules.mixing; // not the hooks: they belong to the world that they were given to
+    to.rules.hit_speed = from.rules.hit_speed;
     to.sleep = from.sleep;
     to.is_continuous = from.is_continuous;
     to.rules.mixing = from.rules.mixing;
@@ -29,6 +31,7 @@ void copy_state(WorldState& to, const WorldState& from)
     to.fields = from.fields;
     to.bodies = from.bodies;
     to.shapes = from.shapes;
+    to.chains = from.chains;
     to.contacts = from.contacts;
     to.joints = from.joints;
     to.chains = from.chains;

@@ -199,7 +199,6 @@ void mix_again(WorldState& world, std::uint32_t contact)
 
 void mix_all_again(WorldState& world)
 {
-    wake_all(world);
     for (std::uint32_t slot = 0; slot < world.contacts.slots.size(); ++slot)
         if (world.contacts.contacts[slot].is_live) mix_again(world, slot);
 }

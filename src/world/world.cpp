@@ -374,6 +374,7 @@ void World::set_mixing(const MaterialMixing& mixing)
     require_idle(world, "set_mixing");
     detail::validate(mixing, "set_mixing");
     world.rules.mixing = mixing;
+    detail::wake_all(world);
     detail::mix_all_again(world);
 }
 
