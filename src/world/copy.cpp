@@ -26,15 +26,12 @@ void copy_state(WorldState& to, const WorldState& from)
     to.rules.hit_speed = from.rules.hit_speed;
     to.sleep = from.sleep;
     to.is_continuous = from.is_continuous;
-    to.rules.mixing = from.rules.mixing;
-    to.rules.hit_speed = from.rules.hit_speed;
     to.fields = from.fields;
     to.bodies = from.bodies;
     to.shapes = from.shapes;
     to.chains = from.chains;
     to.contacts = from.contacts;
     to.joints = from.joints;
-    to.chains = from.chains;
     to.islands = from.islands;
     to.pairs = from.pairs;
     to.colors = from.colors;
