@@ -17,5 +17,8 @@ SceneInfo tiles_scene();
 SceneInfo one_way_scene();
 SceneInfo bullets_scene();
 SceneInfo sleep_scene();
+SceneInfo bridge_scene();
+SceneInfo domino_scene();
+SceneInfo newton_cradle_scene();
 
 } // namespace carom::scenes

@@ -16,10 +16,20 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdd748a15be11db95}, SceneHash{"collisions", 0xa5382a92beb1a5d4},
-    SceneHash{"gravity", 0x5a84487635fe4a90},       SceneHash{"queries", 0x191fc9fce77786fd},  SceneHash{"character", 0x76b49aca99d5d22},
-    SceneHash{"chain-terrain", 0xcd7202a28c9f5500}, SceneHash{"tiles", 0xb1e8a99a62e0d769},    SceneHash{"one-way", 0x87a1164c0111541e},
-    SceneHash{"bullets", 0x7c0b2c6a1cafa5cf},       SceneHash{"sleep", 0x54cb03fa4569f8cb},
+    SceneHash{"planets", 0xc5a43b230ebd3135},
+    SceneHash{"triggers", 0xdd748a15be11db95},
+    SceneHash{"collisions", 0xa5382a92beb1a5d4},
+    SceneHash{"gravity", 0x5a84487635fe4a90},
+    SceneHash{"queries", 0x191fc9fce77786fd},
+    SceneHash{"character", 0x76b49aca99d5d22},
+    SceneHash{"chain-terrain", 0xcd7202a28c9f5500},
+    SceneHash{"tiles", 0xb1e8a99a62e0d769},
+    SceneHash{"one-way", 0x87a1164c0111541e},
+    SceneHash{"bullets", 0x7c0b2c6a1cafa5cf},
+    SceneHash{"sleep", 0x54cb03fa4569f8cb},
+    SceneHash{"bridge", 0x1},
+    SceneHash{"domino", 0x1},
+    SceneHash{"newton-cradle", 0x1},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x85ffe9eea9f5d1e3;
