@@ -14,10 +14,10 @@ namespace
 
 constexpr float row_length = 9;       // [m]
 constexpr float row_height = 6;       // from a lower row to an upper one [m]
-constexpr float hill_height = 0.6f;   // [m]
+constexpr float hill_height = 0.25f;  // [m]
 constexpr float stairs_height = 1.5f; // from the first stair to the last [m]
 constexpr float run_out = 3.4f;       // of the ground, for the last stone [m]
-constexpr float push_speed = 3;       // that the top of a stone of 1 m gets [m/s]
+constexpr float push_speed = 4;       // that the top of a stone of 1 m gets [m/s]
 constexpr Color ground_color = slate;
 
 enum class Course
@@ -55,7 +55,6 @@ private:
         BodyId body;
         Vec2 position;
         float angle;
-        std::size_t row;
     };
 
     void add_row(std::size_t row);
@@ -137,7 +136,7 @@ void Domino::add_stone(std::size_t row, Vec2 foot, float angle, float height)
     const BodyId body = world().create_body({.position = position, .angle = angle});
     const ShapeId shape = world().create_shape(body, box(0.15f * height, height), {.material = {.friction = real("friction")}});
     colors_[shape] = from_hue(0.1f + 0.25f * static_cast<float>(row) + 0.004f * static_cast<float>(stones_.size()), 0.55f, 0.6f);
-    stones_.push_back({.body = body, .position = position, .angle = angle, .row = row});
+    stones_.push_back({.body = body, .position = position, .angle = angle});
 }
 
 /// All stones stand again.
@@ -152,11 +151,16 @@ void Domino::set_up()
     }
 }
 
-/// Pushes the first stone of every row.
+/// Pushes the first stone and the middle one of every row.
 void Domino::start()
 {
-    for (std::size_t i = 0; i < stones_.size(); ++i)
-        if (i == 0 || stones_[i - 1].row != stones_[i].row) push(stones_[i].body, push_speed);
+    const std::size_t half = stones_.size() / (2 * rows.size());
+    for (std::size_t row = 0; row < rows.size(); ++row)
+    {
+        const std::size_t first = row * stones_.size() / rows.size();
+        push(stones_[first].body, push_speed);
+        push(stones_[first + half].body, push_speed);
+    }
 }
 
 /// Tips a stone about its base.
@@ -223,7 +227,7 @@ SceneInfo domino_scene()
             {Control::Kind::Pointer, "left", "push a stone to the right"},
             {Control::Kind::Pointer, "right", "push a stone to the left"},
             {Control::Kind::Key, "s", "set all stones up again"},
-            {Control::Kind::Key, "space", "push the first stone of every row"},
+            {Control::Kind::Key, "space", "push the first stone and the middle one of every row"},
         }),
         .parameters = with_common_parameters({
             integer("stones", {8, 10, 40}, "", Applies::OnRestart, "in a row"),
