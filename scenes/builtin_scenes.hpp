@@ -20,5 +20,7 @@ SceneInfo sleep_scene();
 SceneInfo bridge_scene();
 SceneInfo domino_scene();
 SceneInfo newton_cradle_scene();
+SceneInfo card_house_scene();
+SceneInfo arch_scene();
 
 } // namespace carom::scenes

@@ -30,6 +30,8 @@ inline constexpr std::array scenes = {
     SceneHash{"bridge", 0x1},
     SceneHash{"domino", 0x1},
     SceneHash{"newton-cradle", 0x1},
+    SceneHash{"card-house", 0x1},
+    SceneHash{"arch", 0x1},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x85ffe9eea9f5d1e3;
