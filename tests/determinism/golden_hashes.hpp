@@ -27,11 +27,11 @@ inline constexpr std::array scenes = {
     SceneHash{"one-way", 0x87a1164c0111541e},
     SceneHash{"bullets", 0x7c0b2c6a1cafa5cf},
     SceneHash{"sleep", 0x54cb03fa4569f8cb},
-    SceneHash{"bridge", 0x1},
-    SceneHash{"domino", 0x1},
-    SceneHash{"newton-cradle", 0x1},
-    SceneHash{"card-house", 0x1},
-    SceneHash{"arch", 0x1},
+    SceneHash{"bridge", 0x693d096b113acb7a},
+    SceneHash{"domino", 0x147ba30ebf00419b},
+    SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
+    SceneHash{"card-house", 0x6f222cc5663a3d65},
+    SceneHash{"arch", 0xb7fc98d59d1a4def},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x85ffe9eea9f5d1e3;
