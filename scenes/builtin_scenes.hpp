@@ -22,5 +22,6 @@ SceneInfo domino_scene();
 SceneInfo newton_cradle_scene();
 SceneInfo card_house_scene();
 SceneInfo arch_scene();
+SceneInfo mass_ratio_scene();
 
 } // namespace carom::scenes
