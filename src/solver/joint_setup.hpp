@@ -4,6 +4,7 @@
 #include "solver/joint_kernels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <variant>
 
@@ -240,6 +241,16 @@ void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, c
     fill_type(row, i, joint, f, k);
 }
 
+/// Whether everything that a joint keeps for the next step is finite.
+inline bool is_sound(const Joint& joint)
+{
+    float sum =
+        std::abs(joint.force.x) + std::abs(joint.force.y) + std::abs(joint.torque) + std::abs(joint.drive.x) + std::abs(joint.drive.y);
+    for (const float impulse : joint.rigid) sum += std::abs(impulse);
+    for (const ControlImpulses& c : joint.controls) sum += std::abs(c.spring) + std::abs(c.motor) + std::abs(c.lower) + std::abs(c.upper);
+    return std::isfinite(sum);
+}
+
 /// Takes lane `i` of a row back into its joint.
 template <class F>
 void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b, Joint& joint, float inv_dt)
@@ -252,10 +263,13 @@ void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyL
                              lane(control.lambda_upper, i)};
     }
     if (row.has_drive) joint.drive = {lane(row.drive.lambda.x, i), lane(row.drive.lambda.y, i)};
-    joint.angle = lane(turn_of(row, a, b), i);
-    if (row.type == JointType::Gear) joint.gear_slip = lane(row.error[0], i);
     joint.force = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
     joint.torque = inv_dt * lane(row.total_twist, i);
+    const float turn = lane(turn_of(row, a, b), i);
+    const float slip = row.type == JointType::Gear ? lane(row.error[0], i) : 0.0f;
+    if (!is_sound(joint) || !is_finite(Vec2{turn, slip})) return forget_impulses(joint); // one of its bodies is about to be quarantined
+    joint.angle = turn;
+    joint.gear_slip = slip;
 }
 
 } // namespace carom::detail

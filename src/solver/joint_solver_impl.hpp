@@ -1,6 +1,7 @@
 // Definitions of JointSolver, for the source files that instantiate it.
 #pragma once
 
+#include "memory/make_room.hpp"
 #include "solver/integrate.hpp"
 #include "solver/joint_kernels.hpp"
 #include "solver/joint_setup.hpp"
@@ -66,6 +67,8 @@ template <class F>
 void JointSolver<F>::find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h)
 {
     inv_inertia_.assign(bodies.masses.size(), 0);
+    make_room(corrections_, bodies.masses.size()); // so that joints may come far off in a warm world
+    make_room(shares_, bodies.masses.size());
     for (int color = 0; color < color_count; ++color)
         for (const std::uint32_t slot : colors.list(color)) add_stiffness(joints.joints[slot], bodies, inv_inertia_);
     for (std::size_t i = 0; i < inv_inertia_.size(); ++i)

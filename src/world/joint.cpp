@@ -39,9 +39,9 @@ std::uint32_t editable(const WorldState& world, JointId id, std::string_view fun
 }
 
 /// The transform of a body, or of the world for a null id.
-Transform place_of(const WorldState& world, BodyId id, std::string_view function)
+Transform place_of(const WorldState& world, BodyId id, std::string_view function, std::string_view field)
 {
-    return id ? world.bodies.poses[detail::require_body(world, id, function)].transform : Transform{};
+    return id ? world.bodies.poses[detail::require_body(world, id, function, field)].transform : Transform{};
 }
 
 Transform seen_from(const Transform& body, Vec2 point, Rot axis) { return {inverse_transform(body, point), relative(body.q, axis)}; }
@@ -74,8 +74,8 @@ JointDef World::joint_at(BodyId a, BodyId b, Vec2 point, float axis) const
     const Rot q = rotation(axis);
     return {.body_a = a,
             .body_b = b,
-            .frame_a = seen_from(place_of(state(), a, "joint_at"), point, q),
-            .frame_b = seen_from(place_of(state(), b, "joint_at"), point, q)};
+            .frame_a = seen_from(place_of(state(), a, "joint_at", "a"), point, q),
+            .frame_b = seen_from(place_of(state(), b, "joint_at", "b"), point, q)};
 }
 
 JointDef World::joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) const
@@ -86,8 +86,8 @@ JointDef World::joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) co
     const Rot q = along == Vec2{} ? Rot{} : Rot{along.x, along.y};
     return {.body_a = a,
             .body_b = b,
-            .frame_a = seen_from(place_of(state(), a, "joint_between"), point_a, q),
-            .frame_b = seen_from(place_of(state(), b, "joint_between"), point_b, q)};
+            .frame_a = seen_from(place_of(state(), a, "joint_between", "a"), point_a, q),
+            .frame_b = seen_from(place_of(state(), b, "joint_between", "b"), point_b, q)};
 }
 
 Joint World::joint(JointId id)

@@ -55,9 +55,9 @@ void require_queryable(const WorldState& world, std::string_view function)
         usage_error(function, "world", std::string_view("broken"), "destroy it: its memory resource failed during a step");
 }
 
-std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function)
+std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function, std::string_view field)
 {
-    return require_id(world.bodies.slots, id, world.world, function, "body");
+    return require_id(world.bodies.slots, id, world.world, function, field);
 }
 
 std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_view function)

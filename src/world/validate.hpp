@@ -17,7 +17,8 @@ inline constexpr float max_factor = 1e6f;
 // Each throws UsageError in the name of the public function `function`.
 void require_idle(const WorldState& world, std::string_view function);      ///< not during step(), nor after one that was stopped
 void require_queryable(const WorldState& world, std::string_view function); ///< the same for what only asks
-std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function);
+/// @param field the argument that the id came in
+std::uint32_t require_body(const WorldState& world, BodyId id, std::string_view function, std::string_view field = "body");
 std::uint32_t require_shape(const WorldState& world, ShapeId id, std::string_view function);
 std::uint32_t require_joint(const WorldState& world, JointId id, std::string_view function);
 std::uint32_t require_chain(const WorldState& world, ChainId id, std::string_view function);

@@ -121,8 +121,8 @@ void validate_break_limit(float limit, std::string_view field, std::string_view 
 
 void validate(const WorldState& world, const JointDef& def, std::string_view function)
 {
-    if (def.body_a) require_body(world, def.body_a, function);
-    require_body(world, def.body_b, function);
+    if (def.body_a) require_body(world, def.body_a, function, "body_a");
+    require_body(world, def.body_b, function, "body_b");
     if (def.body_a == def.body_b)
         usage_error(function, "body_b", std::string_view("the same as body_a"), "give two bodies, or null as body_a for the world");
     validate_frame(def.frame_a, "frame_a", function);

@@ -30,6 +30,7 @@ constexpr std::array nasty = {nan,
                               std::numeric_limits<float>::max(),
                               std::numeric_limits<float>::lowest()};
 constexpr int most_bodies = 150;
+constexpr int most_joints = 120;
 
 void expect_complete(const UsageError& error, const char* function)
 {
@@ -188,6 +189,70 @@ Field RandomApi::field()
         return NBodyField{number(-1, 1), number(0, 1), static_cast<NBodyMethod>(random_.one_in(30) ? 9 : random_.below(2)),
                           static_cast<NBodySources>(random_.one_in(30) ? -1 : random_.below(2)), number(0, 1.5f)};
     }
+}
+
+std::optional<Spring> RandomApi::spring()
+{
+    if (random_.one_in(2)) return std::nullopt;
+    return Spring{number(0, 30), number(0, 2), number(-1, 1)};
+}
+
+std::optional<Range> RandomApi::range()
+{
+    if (random_.one_in(2)) return std::nullopt;
+    const float lower = number(-2, 2);
+    return Range{lower, lower + number(-0.1f, 3)};
+}
+
+std::optional<Motor> RandomApi::motor()
+{
+    if (random_.one_in(2)) return std::nullopt;
+    return Motor{number(-10, 10), number(0, 500)};
+}
+
+JointSpec RandomApi::joint_spec()
+{
+    const auto motion = [this] { return static_cast<GearMotion>(random_.one_in(60) ? 7 : random_.below(2)); };
+    const Spring some{number(0, 20), number(0, 2), number(-1, 1)};
+    switch (random_.below(9))
+    {
+    case 0: return RevoluteJoint{range(), motor(), spring()};
+    case 1: return PrismaticJoint{range(), motor(), spring()};
+    case 2: return DistanceJoint{number(0.1f, 5), range(), spring()};
+    case 3: return WeldJoint{spring(), spring()};
+    case 4: return WheelJoint{spring(), range(), motor()};
+    case 5: return MotorJoint{vector(2), number(-3, 3), some, number(0, 500), number(0, 500)};
+    case 6: return MouseJoint{vector(10), some, number(0, 1000)};
+    case 7: return GearJoint{number(-3, 3), motion(), motion()};
+    default: return PulleyJoint{vector(15), vector(15), number(0.2f, 3), number(1, 30)};
+    }
+}
+
+JointDef RandomApi::joint_def()
+{
+    JointDef def;
+    def.body_a = random_.one_in(3) ? BodyId{} : body_id();
+    def.body_b = body_id();
+    // As often as not the two meet where the bodies are.
+    const std::optional<Body> end = world_.find_body(def.body_b);
+    const bool is_near = end && std::abs(end->position().x) < max_coordinate && std::abs(end->position().y) < max_coordinate;
+    if (random_.one_in(2) && is_near && (!def.body_a || world_.find_body(def.body_a)))
+        def = world_.joint_at(def.body_a, def.body_b, world_.body(def.body_b).position(), random_.from(-3, 3));
+    else
+        def.frame_a = {vector(3), rotation(random_.from(-3, 3))}, def.frame_b = {vector(3), rotation(random_.from(-3, 3))};
+    if (random_.one_in(60)) def.frame_a.q = {number(-1, 1), number(-1, 1)};
+    def.collide_connected = random_.one_in(2);
+    if (random_.one_in(4)) def.break_force = number(0, 2000);
+    if (random_.one_in(4)) def.break_torque = number(0, 2000);
+    def.user_data = random_.bits();
+    return def;
+}
+
+JointId RandomApi::joint_id()
+{
+    if (random_.one_in(60)) return {static_cast<std::uint32_t>(random_.bits()), 1, bodies_.empty() ? 1 : bodies_[0].world};
+    if (joints_.empty() || random_.one_in(60)) return {};
+    return joints_[static_cast<std::size_t>(random_.below(static_cast<int>(joints_.size())))];
 }
 
 BodyId RandomApi::body_id()
@@ -391,6 +456,39 @@ void RandomApi::edit_rules()
     }
 }
 
+void RandomApi::create_joint()
+{
+    if (world_.joint_count() >= most_joints) return try_call("destroy_joint", [&] { world_.destroy_joint(joint_id()); });
+    try_call("create_joint", [&] { joints_.push_back(world_.create_joint(joint_def(), joint_spec())); });
+    tally_.most_joints = std::max(tally_.most_joints, world_.joint_count());
+}
+
+void RandomApi::edit_joint()
+{
+    if (random_.one_in(8)) return try_call("destroy_joint", [&] { world_.destroy_joint(joint_id()); });
+    const std::optional<Joint> found = world_.find_joint(joint_id());
+    if (!found) return;
+    Joint joint = *found;
+    switch (random_.below(6))
+    {
+    case 0:
+    case 1:
+        return try_call("set_spec", [&]
+        {
+            // Of the joint's own type, or not.
+            JointSpec spec = joint_spec();
+            for (int i = 0; i < 30 && spec.index() != joint.spec().index(); ++i) spec = joint_spec();
+            joint.set_spec(spec);
+        });
+    case 2:
+        return try_call("set_frames", [&]
+        { joint.set_frames({vector(2), rotation(random_.from(-3, 3))}, {vector(2), random_.one_in(20) ? Rot{nan, 1} : Rot{}}); });
+    case 3: return try_call("set_collide_connected", [&] { joint.set_collide_connected(random_.one_in(2)); });
+    case 4: return try_call("set_break_limits", [&] { joint.set_break_limits(number(100, 1e5f), number(100, 1e5f)); });
+    default: return try_call("set_user_data", [&] { joint.set_user_data(random_.bits()); });
+    }
+}
+
 void RandomApi::edit_world()
 {
     switch (random_.below(6))
@@ -437,6 +535,14 @@ void RandomApi::read()
             EXPECT_EQ(world_.shape(id).body(), body->id());
             for (const ShapeId other : world_.shape(id).touching()) EXPECT_TRUE(world_.find_shape(other));
         }
+    }
+    for (const JointId id : world_.joints())
+    {
+        const JointView joint = std::as_const(world_).joint(id);
+        EXPECT_TRUE(is_finite(joint.force()) && std::isfinite(joint.torque()));
+        EXPECT_TRUE(is_finite(joint.offset()) && std::isfinite(joint.angle()) && joint.error() >= 0);
+        EXPECT_TRUE(world_.find_body(joint.body_b()));
+        EXPECT_TRUE(!joint.body_a() || world_.find_body(joint.body_a()));
     }
     try_call("gravity_at", [&] { world_.gravity_at(vector(20)); });
     try_call("manifold", [&] { world_.manifold(shape_id(), shape_id()); });
@@ -596,6 +702,13 @@ void RandomApi::step()
             EXPECT_TRUE(is_finite(world_.body(id).position()));
             EXPECT_EQ(world_.body(id).linear_velocity(), Vec2{});
         }
+        for (const JointBreak& event : world_.events().joint_break)
+        {
+            ++tally_.breaks;
+            EXPECT_FALSE(world_.find_joint(event.joint));
+            EXPECT_GE(event.force, 0);
+            EXPECT_GE(event.torque, 0);
+        }
         for (const BodyId id : world_.bodies())
             EXPECT_TRUE(is_finite(world_.body(id).position()) && is_finite(world_.body(id).linear_velocity()));
     });
@@ -635,6 +748,10 @@ void RandomApi::edit_during_step()
         refuse("closest_point", [&] { api.world_.closest_point({0, 0}, 1); });
         refuse("explode", [&] { api.world_.explode({}); });
         refuse("move", [&] { api.character_.move(api.world_, {}, 0.01f); });
+        refuse("create_joint", [&] { api.world_.create_joint({}, RevoluteJoint{}); });
+        refuse("destroy_joint", [&] { api.world_.destroy_joint({}); });
+        if (api.world_.joint_count() > 0)
+            refuse("set_break_limits", [&] { api.world_.joint(api.world_.joints().front()).set_break_limits(1, 1); });
         refuse("set_gravity", [&] { api.world_.set_gravity({}); });
         refuse("set_broad_phase", [&] { api.world_.set_broad_phase(BroadPhaseType::BruteForce); });
         for (const BodyId id : api.bodies_)
@@ -709,8 +826,12 @@ void RandomApi::call()
         edit_chain();
     else if (kind < 70)
         edit_rules();
-    else if (kind < 76)
+    else if (kind < 73)
         edit_world();
+    else if (kind < 76)
+        create_joint();
+    else if (kind < 78)
+        edit_joint();
     else if (kind < 79)
         read();
     else if (kind < 80)
@@ -729,6 +850,7 @@ void RandomApi::call()
     // Forget ids now and then, or the stale ones would crowd out the rest.
     if (bodies_.size() > 400) bodies_.erase(bodies_.begin(), bodies_.begin() + 200);
     if (chains_.size() > 60) chains_.erase(chains_.begin(), chains_.begin() + 30);
+    if (joints_.size() > 400) joints_.erase(joints_.begin(), joints_.begin() + 200);
     if (shapes_.size() > 800) shapes_.erase(shapes_.begin(), shapes_.begin() + 400);
     while (world_.body_count() > most_bodies) world_.destroy_body(world_.bodies().front());
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory_resource>
+#include <optional>
 #include <vector>
 
 namespace carom::fuzz
@@ -86,6 +87,8 @@ struct Tally
     int most_bodies = 0;
     int most_chains = 0;
     int hook_calls = 0;
+    int most_joints = 0;
+    int breaks = 0; ///< joints that steps broke
 };
 
 /// Makes random calls to one world.
@@ -105,10 +108,16 @@ private:
     BodyDef body_def();
     ShapeDef shape_def();
     Field field();
+    std::optional<Spring> spring();
+    std::optional<Range> range();
+    std::optional<Motor> motor();
+    JointSpec joint_spec();
+    JointDef joint_def();
     BodyId body_id(); ///< now and then stale, null or of another world
     ShapeId shape_id();
     FieldId field_id();
     ChainId chain_id();
+    JointId joint_id();
 
     template <class Call>
     void try_call(const char* function, Call&& call);
@@ -122,6 +131,8 @@ private:
     void make_chain();
     void edit_chain();
     void edit_rules();
+    void create_joint();
+    void edit_joint();
     void edit_world();
     void read();
     void query();
@@ -143,6 +154,7 @@ private:
     std::vector<FieldId> fields_;
     std::vector<ChainId> chains_;
     Character character_;
+    std::vector<JointId> joints_;
     Tally tally_;
 };
 

@@ -18,12 +18,15 @@ TEST_P(RandomCalls, never_crash_and_bad_ones_change_nothing)
     while (api.tally().calls < 12500 && !HasFailure()) api.call();
     const Tally tally = api.tally();
     std::cout << tally.calls << " calls, " << tally.refused << " refused, " << tally.during_step << " of them during a step, "
-              << tally.quarantined << " bodies quarantined, up to " << tally.most_bodies << " bodies\n";
+              << tally.quarantined << " bodies quarantined, up to " << tally.most_bodies << " bodies and " << tally.most_joints
+              << " joints, " << tally.breaks << " of which broke\n";
     EXPECT_GT(tally.refused, 500);
     EXPECT_GT(tally.during_step, 0);
     EXPECT_GT(tally.most_bodies, 50);
     EXPECT_GT(tally.most_chains, 10);
     EXPECT_GT(tally.hook_calls, 500);
+    EXPECT_GT(tally.most_joints, 20);
+    EXPECT_GT(tally.breaks, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomCalls, testing::Range(1, 9));
