@@ -41,6 +41,9 @@ BoxTree::BoxTree(std::pmr::memory_resource& memory)
 void BoxTree::insert(ProxyIndex proxy, const Aabb& box)
 {
     if (proxy >= place_of_.size()) place_of_.resize(proxy + std::size_t{1}, none);
+    // A rebuild puts all that there is among the waiting ones: it may come long after the last insertion, and shall not allocate then.
+    make_room(waiting_, proxy_count() + 1);
+    make_room(items_, proxy_count() + 1);
     assert(place_of_[proxy] == none);
     const std::uint32_t place = static_cast<std::uint32_t>(waiting_.size());
     waiting_.push_back({box, proxy}); // may throw: nothing points to it yet

@@ -41,6 +41,7 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
     found.clear();
     if (shapes.moved.empty()) return;
     broad_phase.find_pairs(shapes.moved, found);
+    keep_headroom(found);
 
     const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, joints, pair).makes_contact || known.contains(pair); };
     found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());

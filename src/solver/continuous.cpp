@@ -301,10 +301,13 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
 {
     for (const Mover& mover : movers_)
     {
-        if (mover.version > 0)
+        // At the ends of float a way has no middle: then the body stays where the step took it.
+        const Transform end = mover.sweep.at(1);
+        const bool is_sound = is_finite(end.p) && is_finite(mover.sweep.center_end) && is_finite(Vec2{end.q.c, end.q.s});
+        if (mover.version > 0 && is_sound)
         {
             BodyPose& pose = bodies.poses[mover.body];
-            pose.transform = mover.sweep.at(1);
+            pose.transform = end;
             pose.transform.q = normalize(pose.transform.q);
             pose.center = mover.sweep.center_end;
         }

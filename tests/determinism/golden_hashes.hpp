@@ -32,7 +32,7 @@ inline constexpr std::array scenes = {
     SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
     SceneHash{"card-house", 0x6f222cc5663a3d65},
     SceneHash{"arch", 0xb7fc98d59d1a4def},
-    SceneHash{"mass-ratio", 0x1},
+    SceneHash{"mass-ratio", 0x177a1214115b7690},
 };
 
 inline constexpr std::uint64_t mixed_world = 0x85ffe9eea9f5d1e3;
