@@ -178,7 +178,7 @@ void BoxTree::rebuild_young()
 /// Puts the proxies of the nodes from `first_node` on to the waiting ones. Changes nothing when memory runs out.
 void BoxTree::collect(std::uint32_t first_node)
 {
-    make_room(waiting_, waiting_.size() + 4 * (nodes_.size() - first_node));
+    make_room(waiting_, std::min(waiting_.size() + 4 * (nodes_.size() - first_node), proxy_count()));
     for (std::uint32_t i = first_node; i < nodes_.size(); ++i)
     {
         if (!nodes_[i].is_leaf) continue;
