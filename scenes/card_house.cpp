@@ -101,7 +101,8 @@ void CardHouse::add_rest_of_the_pack()
     {
         const float side = i % 2 == 0 ? -1.0f : 1.0f;
         const Vec2 position{side * random_.uniform(4.4f, 6.2f), 6 + 0.6f * static_cast<float>(i)};
-        add_card(position, random_.uniform(-pi, pi), from_hue(random_.uniform(-0.06f, 0.19f), 0.6f, 0.58f));
+        const float angle = random_.uniform(-pi, pi); // a line each: the order of arguments is the compiler's
+        add_card(position, angle, from_hue(random_.uniform(-0.06f, 0.19f), 0.6f, 0.58f));
     }
 }
 

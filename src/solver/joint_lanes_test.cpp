@@ -37,7 +37,11 @@ struct RandomNet
         for (BodyMass& mass : bodies.masses)
             if (mass.inv_mass != Vec2{}) mass.inv_inertia = from(0, 3);
         for (std::uint32_t i = 1; i < body_count; ++i) connect(0, i);
-        for (int i = 0; i < 25; ++i) connect(below(body_count), below(body_count));
+        for (int i = 0; i < 25; ++i)
+        {
+            const std::uint32_t b = below(body_count); // a line each: the order of arguments is the compiler's
+            connect(below(body_count), b);
+        }
         for (int i = 0; i < 10; ++i) connect(null_index, below(body_count));
     }
 

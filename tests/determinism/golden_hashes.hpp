@@ -23,7 +23,7 @@ inline constexpr std::array scenes = {
     SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0x7c0b2c6a1cafa5cf},
     SceneHash{"sleep", 0x54cb03fa4569f8cb},         SceneHash{"bridge", 0x693d096b113acb7a},
     SceneHash{"domino", 0x147ba30ebf00419b},        SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
-    SceneHash{"card-house", 0x6f222cc5663a3d65},    SceneHash{"arch", 0xb7fc98d59d1a4def},
+    SceneHash{"card-house", 0xef851043c3ac891b},    SceneHash{"arch", 0xb7fc98d59d1a4def},
     SceneHash{"mass-ratio", 0x177a1214115b7690},
 };
 
