@@ -42,8 +42,8 @@ void BoxTree::insert(ProxyIndex proxy, const Aabb& box)
 {
     if (proxy >= place_of_.size()) place_of_.resize(proxy + std::size_t{1}, none);
     // A rebuild puts all that there is among the waiting ones: it may come long after the last insertion, and shall not allocate then.
-    make_room(waiting_, proxy_count() + 1);
-    make_room(items_, proxy_count() + 1);
+    make_room(waiting_, place_of_.size());
+    make_room(items_, place_of_.size());
     assert(place_of_[proxy] == none);
     const std::uint32_t place = static_cast<std::uint32_t>(waiting_.size());
     waiting_.push_back({box, proxy}); // may throw: nothing points to it yet
@@ -178,7 +178,7 @@ void BoxTree::rebuild_young()
 /// Puts the proxies of the nodes from `first_node` on to the waiting ones. Changes nothing when memory runs out.
 void BoxTree::collect(std::uint32_t first_node)
 {
-    make_room(waiting_, std::min(waiting_.size() + 4 * (nodes_.size() - first_node), proxy_count()));
+    make_room(waiting_, std::min(waiting_.size() + 4 * (nodes_.size() - first_node), place_of_.size()));
     for (std::uint32_t i = first_node; i < nodes_.size(); ++i)
     {
         if (!nodes_[i].is_leaf) continue;
