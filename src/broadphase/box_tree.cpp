@@ -48,6 +48,7 @@ void BoxTree::insert(ProxyIndex proxy, const Aabb& box)
     const std::uint32_t place = static_cast<std::uint32_t>(waiting_.size());
     waiting_.push_back({box, proxy}); // may throw: nothing points to it yet
     place_of_[proxy] = waiting_bit | place;
+    ++proxy_count_;
 }
 
 void BoxTree::remove(ProxyIndex proxy)
@@ -67,9 +68,9 @@ void BoxTree::remove(ProxyIndex proxy)
         set_box(boxes_[node], place % 4, empty_box);
         nodes_[node].child[place % 4] = none;
         touch(node);
-        ++removed_count_;
     }
     place_of_[proxy] = none;
+    --proxy_count_;
 }
 
 void BoxTree::update(ProxyIndex proxy, const Aabb& box)
@@ -90,7 +91,7 @@ void BoxTree::settle()
     const auto waiting = static_cast<std::uint32_t>(waiting_.size());
     if (waiting > 0 && young_count_ + waiting > std::max(young_least, old_count_ / young_share))
         rebuild();
-    else if (removed_count_ > 0 && removed_count_ >= (old_count_ + young_count_) / removed_share)
+    else if (gap_count() > 0 && gap_count() >= (old_count_ + young_count_) / removed_share)
         rebuild();
     else if (waiting > 0)
         rebuild_young();
@@ -152,7 +153,6 @@ void BoxTree::rebuild()
     moved_nodes_.clear();
     old_count_ = static_cast<std::uint32_t>(waiting_.size());
     young_count_ = 0;
-    removed_count_ = 0;
     degraded_count_ = 0;
     std::fill(touched_.begin(), touched_.end(), std::uint64_t{0}); // what they name is gone, also when nothing follows
     if (waiting_.empty()) return;

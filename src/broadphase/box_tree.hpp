@@ -56,7 +56,7 @@ public:
     /// Nodes that are or have below them moved proxies: after refit, last first.
     std::span<const std::uint32_t> moved_nodes() const { return moved_nodes_; }
     bool is_empty() const { return nodes_.empty(); }
-    std::size_t proxy_count() const { return old_count_ + young_count_ - removed_count_ + waiting_.size(); }
+    std::size_t proxy_count() const { return proxy_count_; }
     std::size_t node_count() const { return nodes_.size(); }
     const Box4& boxes(std::uint32_t node) const { return boxes_[node]; }
     const TreeNode& node(std::uint32_t node) const { return nodes_[node]; }
@@ -73,6 +73,8 @@ private:
     /// To be refit.
     void touch(std::uint32_t node) { touched_[node / 64] |= std::uint64_t{1} << node % 64; }
     void refit_node(std::uint32_t node);
+    /// Lanes of leaf nodes that removals have emptied since their part was built.
+    std::size_t gap_count() const { return old_count_ + young_count_ + waiting_.size() - proxy_count_; }
     void rebuild_young();
     void abandon(std::uint32_t first_node);
     void collect(std::uint32_t first_node);
@@ -88,10 +90,10 @@ private:
     std::pmr::vector<std::uint32_t> place_of_;    ///< by proxy: 4 * node + lane, or where it waits
     std::pmr::vector<Entry> waiting_;             ///< inserted, not settled; input of a build
     std::pmr::vector<BuildItem> items_;           ///< scratch of a build
+    std::uint32_t proxy_count_ = 0;               ///< in the nodes and waiting
     std::uint32_t young_begin_ = 0;
-    std::uint32_t old_count_ = 0; ///< proxies when the old part was built
-    std::uint32_t young_count_ = 0;
-    std::uint32_t removed_count_ = 0; ///< since the old part was built
+    std::uint32_t old_count_ = 0;   ///< proxies when the old part was built
+    std::uint32_t young_count_ = 0; ///< proxies when the young part was built
     std::uint32_t degraded_count_ = 0;
 };
 
