@@ -56,8 +56,8 @@ void CardHouse::add_ground()
     const BodyId ground = world().create_body({.type = BodyType::Static, .name = "ground"});
     const ShapeDef felt{.material = {.friction = 0.7f}};
     world().create_shape(ground, offset_box(80, 6, {0, -3}), felt);
-    // Low kerbs keep the rest of the pack away from the house.
-    for (const float x : {-3.0f, 3.0f}) world().create_shape(ground, offset_box(0.2f, 0.3f, {x, 0.15f}), felt);
+    // Kerbs keep the rest of the pack away from the house.
+    for (const float x : {-3.2f, 3.2f}) world().create_shape(ground, offset_box(0.2f, 0.8f, {x, 0.4f}), felt);
 }
 
 /// Pairs whose tops meet, feet beside those of the next pair, and a flat card from top to top on which the next storey stands.
@@ -100,8 +100,8 @@ void CardHouse::add_rest_of_the_pack()
     for (int i = 0; cards_ < pack; ++i)
     {
         const float side = i % 2 == 0 ? -1.0f : 1.0f;
-        const Vec2 position{side * random_.uniform(4.4f, 6.2f), 6 + 0.6f * static_cast<float>(i)};
-        const float angle = random_.uniform(-pi, pi); // a line each: the order of arguments is the compiler's
+        const Vec2 position{side * random_.uniform(5.2f, 6.2f), 0.6f + 0.45f * static_cast<float>(i / 2)};
+        const float angle = 0.5f * pi + random_.uniform(-0.4f, 0.4f); // a line each: the order of arguments is the compiler's
         add_card(position, angle, from_hue(random_.uniform(-0.06f, 0.19f), 0.6f, 0.58f));
     }
 }

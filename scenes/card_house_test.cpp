@@ -38,6 +38,12 @@ TEST(CardHouse, stands_for_a_minute_without_sleep)
     EXPECT_LT(farthest_way(*scene, 16, 3600), 0.02f);
 }
 
+TEST(CardHouse, five_storeys_stand_for_a_minute)
+{
+    const auto scene = make_scene("card-house", {{"storeys", 5}});
+    EXPECT_LT(farthest_way(*scene, 41, 3600), 0.03f);
+}
+
 TEST(CardHouse, falls_without_friction)
 {
     const auto scene = make_scene("card-house", {{"friction", 0}});

@@ -66,7 +66,9 @@ struct ContactManifold
     float rolling_impulse = 0; ///< of the last substep [N m s]
     float total_rolling = 0;   ///< over the step [N m s]
     float carried_impulse = 0; ///< what each point has been carrying for a while, per substep [N s]
-    int count = 0;             ///< points; a sensor's overlap counts as one
+    float rounding_a = 0;      ///< how far A's surface is from its core, which turns with A while the surface stays where it is [m]
+    float rounding_b = 0;
+    int count = 0; ///< points; a sensor's overlap counts as one
     std::array<ContactPointState, 2> points;
 };
 

@@ -1,6 +1,8 @@
 // One rule a property; a hook has the last word, if it makes sense.
 #include "dynamics/mix_materials.hpp"
 
+#include "geometry/extent.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +25,6 @@ float mix(Mix rule, float a, float b)
     return std::sqrt(a * b);
 }
 
-/// The length by which a shape rolls: its radius; polygons without rounding don't roll.
-float rolling_radius(const Geometry& geometry)
-{
-    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;
-    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
-    if (const auto* polygon = std::get_if<Polygon>(&geometry)) return polygon->radius;
-    return 0;
-}
-
 } // namespace
 
 bool is_friction(float value) { return value >= 0 && value <= max_friction; }
@@ -42,7 +35,7 @@ void mix_materials(Contact& contact, const ShapeStore& shapes, const ContactRule
 {
     const Material& a = shapes.records[contact.shape_a].material;
     const Material& b = shapes.records[contact.shape_b].material;
-    const float radius = std::max(rolling_radius(shapes.geometry[contact.shape_a]), rolling_radius(shapes.geometry[contact.shape_b]));
+    const float radius = std::max(rounding(shapes.geometry[contact.shape_a]), rounding(shapes.geometry[contact.shape_b])); // of what rolls
     contact.friction = mix(rules.mixing.friction, a.friction, b.friction);
     contact.restitution = mix(rules.mixing.restitution, a.restitution, b.restitution);
     contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius;

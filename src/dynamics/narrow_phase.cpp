@@ -4,6 +4,7 @@
 #include "dynamics/internal_edges.hpp"
 #include "dynamics/one_sided.hpp"
 #include "geometry/distance.hpp"
+#include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 
 namespace carom::detail
@@ -43,6 +44,8 @@ ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const Sh
         manifold.rolling_impulse = old.rolling_impulse;
         manifold.carried_impulse = old.carried_impulse;
     }
+    manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
+    manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
     const Vec2 centers = pose_b.center - pose_a.center;
     for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {

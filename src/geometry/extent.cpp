@@ -30,6 +30,14 @@ float outer_radius(const Geometry& geometry, Vec2 point)
     return most + polygon.radius;
 }
 
+float rounding(const Geometry& geometry)
+{
+    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return capsule->radius;
+    if (const auto* polygon = std::get_if<Polygon>(&geometry)) return polygon->radius;
+    return 0;
+}
+
 ConvexPoints core_of(const Geometry& geometry, float depth)
 {
     ConvexPoints core = convex_points(geometry);

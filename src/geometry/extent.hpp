@@ -14,6 +14,9 @@ float inner_radius(const Geometry& geometry);
 /// Distance from a point to the farthest point of the shape [m].
 float outer_radius(const Geometry& geometry, Vec2 point);
 
+/// The radius by which a shape's corners are round [m]: all of a circle's; 0 for what does not roll.
+float rounding(const Geometry& geometry);
+
 /// The shape without its outermost `depth`: what must go into another for the two to pass through each other. Approximate, and never larger than
 /// the shape.
 /// @param depth [m], from 0 to below the inner radius

@@ -24,7 +24,7 @@ struct PointRow
 {
     LaneVec<F> r_a;
     LaneVec<F> r_b;
-    F adjusted_separation; ///< s - n . (r_b - r_a): what is left is n . (way of the point on B - on A)
+    F adjusted_separation; ///< s - n . (r_b - r_a) at the start of the step
     F normal_velocity;     ///< vn at the start of the step
     F normal_mass;         ///< m_n
     F tangent_mass;        ///< m_t
@@ -49,6 +49,8 @@ struct ContactRow
     F inv_inertia_a;
     F inv_inertia_b;
     LaneVec<F> n;
+    F core_a; ///< from the points along -n to A's core
+    F core_b; ///< from the points along n to B's core
     F friction;
     F restitution;
     F tangent_speed;
@@ -91,6 +93,18 @@ LaneVec<F> relative_velocity(const PointRow<F>& point, const BodyLanes<F>& a, co
     return (b.v + cross(b.w, point.r_b)) - (a.v + cross(a.w, point.r_a));
 }
 
+/// How far the surfaces are apart now. What turns with a body is its core, the corners and edges that its rounding surrounds; the rounding
+/// is under the point whichever way the body has turned:
+///   s = n . (way of B's core - way of A's core) + s_0,  a core k away along n:  n . dq (r + k n) = n . dq r + k c
+/// With the whole of r turned, a ball that rolls by theta in a step would seem to rise by R (1 - cos theta), and sink by as much.
+template <class F, int N>
+F separation(const ContactRow<F, N>& row, const PointRow<F>& point, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const LaneVec<F> way = (b.dp + rotate(b.dq, point.r_b)) - (a.dp + rotate(a.dq, point.r_a));
+    const F under_the_point = row.core_a * (a.dq.c - F(1)) + row.core_b * (b.dq.c - F(1));
+    return dot(way, row.n) + under_the_point + point.adjusted_separation;
+}
+
 /// Applies the impulses of the substep before.
 template <class F, int N>
 void warm_start(const ContactRow<F, N>& row, BodyLanes<F>& a, BodyLanes<F>& b)
@@ -110,8 +124,7 @@ void warm_start(const ContactRow<F, N>& row, BodyLanes<F>& a, BodyLanes<F>& b)
 template <bool WithBias, class F, int N>
 void solve_normal(const ContactRow<F, N>& row, PointRow<F>& point, const PassConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    const LaneVec<F> way = (b.dp + rotate(b.dq, point.r_b)) - (a.dp + rotate(a.dq, point.r_a));
-    const F s = dot(way, row.n) + point.adjusted_separation;
+    const F s = separation(row, point, a, b);
     const auto is_apart = s > F(0);
 
     F bias = select(is_apart, s * k.inv_h, F(0));

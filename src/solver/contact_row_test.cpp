@@ -168,6 +168,25 @@ TEST(ContactRow, AnApproachEndsAtTheSurfaceAndNotBefore)
     EXPECT_NEAR(dot(relative_velocity(point, c.a, c.b), c.row.n), -0.01f * pass.inv_h, 1e-3);
 }
 
+/// A ball whose core is its centre, and a corner that is its own core, both turned by 1 rad about where they are.
+TEST(ContactRow, ABallThatTurnsStaysOnTheGroundAndACornerRises)
+{
+    const float gap = 0.01f;
+    Row row = {};
+    row.n = {0, 1};
+    PointRow<float>& point = row.points[0];
+    point.r_b = {0, -(0.5f + 0.5f * gap)}; // halfway between the surfaces
+    point.adjusted_separation = gap - dot(point.r_b, row.n);
+    const Lanes ground = {{}, 0, {}, {1, 0}};
+    const Lanes turned = {{}, 0, {}, {std::cos(1.0f), std::sin(1.0f)}};
+
+    row.core_a = 0.5f * gap;
+    row.core_b = 0.5f + 0.5f * gap;
+    EXPECT_NEAR(separation(row, point, ground, turned), gap, 1e-6);
+    row.core_b = 0.5f * gap;
+    EXPECT_NEAR(separation(row, point, ground, turned), gap + 0.5f * (1 - std::cos(1.0f)), 1e-6);
+}
+
 /// A square of 1 kg at 4 m/s, flat above the ground at the origin.
 struct Landing
 {

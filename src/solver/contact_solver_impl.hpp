@@ -61,6 +61,9 @@ bool fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
     lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
     set_lane(row.n, i, manifold.normal);
+    const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
+    lane(row.core_a, i) = manifold.rounding_a + gap;
+    lane(row.core_b, i) = manifold.rounding_b + gap;
     lane(row.friction, i) = contact.friction;
     lane(row.restitution, i) = contact.restitution;
     lane(row.tangent_speed, i) = contact.tangent_speed;

@@ -115,8 +115,12 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
     for (const FastBody& body : fast)
     {
         mover_of_body_[body.body] = static_cast<std::uint32_t>(movers_.size());
-        movers_.push_back(
-            {.body = body.body, .sweep = body.sweep, .start = body.sweep.at(0), .can_stop = bodies.is_dynamic(body.body), .is_fast = true});
+        movers_.push_back({.body = body.body,
+                           .sweep = body.sweep,
+                           .start = body.sweep.at(0),
+                           .can_stop = bodies.is_dynamic(body.body),
+                           .is_held = bodies.records[body.body].first_joint != null_index,
+                           .is_fast = true});
     }
 
     find_candidates({bodies, shapes, joints, contacts, rules, dt}, broad_phase);
@@ -181,12 +185,13 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
         return;
     }
     if (may_pass(mover, shape, other, near)) return;
-    if (other_mover == null_index && !movers_[mover].can_stop)
+    const bool is_free = near.bodies.is_dynamic(body) && near.bodies.records[body].first_joint == null_index;
+    if (other_mover == null_index && (!movers_[mover].can_stop || (movers_[mover].is_held && is_free)))
     {
-        // A kinematic body runs into one that hardly moves.
+        // It runs into one that hardly moves.
         other_mover = mover_of_body_[body] = static_cast<std::uint32_t>(movers_.size());
         const Sweep sweep = slow_way(near.bodies, body, near.dt);
-        movers_.push_back({.body = body, .sweep = sweep, .start = sweep.at(0), .can_stop = true, .is_fast = false});
+        movers_.push_back({.body = body, .sweep = sweep, .start = sweep.at(0), .can_stop = true, .is_held = !is_free, .is_fast = false});
     }
     pairs_.push_back({mover, other_mover, shape, other});
 }
@@ -228,13 +233,24 @@ std::uint32_t ContinuousCollision::version_of(const Pair& pair) const
     return movers_[pair.mover_a].version + (pair.mover_b == null_index ? 0 : movers_[pair.mover_b].version);
 }
 
+bool ContinuousCollision::can_be_stopped(std::uint32_t mover) const
+{
+    return mover != null_index && movers_[mover].can_stop && !movers_[mover].is_stopped;
+}
+
+/// Whether the mover goes on when it meets the other, and takes it along.
+bool ContinuousCollision::carries(std::uint32_t mover, std::uint32_t other) const
+{
+    if (mover == null_index || !can_be_stopped(other)) return false;
+    return !movers_[mover].can_stop || (movers_[mover].is_held && !movers_[mover].is_stopped && !movers_[other].is_held);
+}
+
 /// Notes when, after a time, the two would begin to pass through each other: when the core of A would go into B; where that is in B already, a
 /// smaller core. They are stopped when they first touch.
 void ContinuousCollision::seek_impact(std::uint32_t index, float after, const BodyStore& bodies, const ShapeStore& shapes)
 {
     const Pair& pair = pairs_[index];
-    const auto can_stop = [this](std::uint32_t m) { return m != null_index && movers_[m].can_stop && !movers_[m].is_stopped; };
-    if (after >= 1 || (!can_stop(pair.mover_a) && !can_stop(pair.mover_b))) return;
+    if (after >= 1 || (!can_be_stopped(pair.mover_a) && !can_be_stopped(pair.mover_b))) return;
 
     const Geometry& geometry = shapes.geometry[pair.shape_a];
     const bool gives_way = bodies.is_dynamic(shapes.records[pair.shape_a].body) && bodies.is_dynamic(shapes.records[pair.shape_b].body);
@@ -266,8 +282,10 @@ void ContinuousCollision::resolve_impacts(const BodyStore& bodies, const ShapeSt
         impacts_.pop_back();
         const Pair pair = pairs_[impact.pair];
         if (impact.version != version_of(pair)) continue; // one of them has been stopped since, and the pair was judged anew
-        for (const auto& [mover, by] : {std::pair(pair.mover_a, pair.mover_b), std::pair(pair.mover_b, pair.mover_a)})
-            if (mover != null_index && movers_[mover].can_stop && !movers_[mover].is_stopped) stop(mover, impact.time, by);
+        const bool a_goes_on = !can_be_stopped(pair.mover_a) || carries(pair.mover_a, pair.mover_b);
+        const bool b_goes_on = !can_be_stopped(pair.mover_b) || carries(pair.mover_b, pair.mover_a);
+        if (!a_goes_on) stop(pair.mover_a, impact.time, pair.mover_b);
+        if (!b_goes_on) stop(pair.mover_b, impact.time, pair.mover_a);
         for (const std::uint32_t mover : {pair.mover_a, pair.mover_b})
         {
             if (mover == null_index) continue;
@@ -277,7 +295,7 @@ void ContinuousCollision::resolve_impacts(const BodyStore& bodies, const ShapeSt
     }
 }
 
-/// Stands still from a time on; or, when it was met by a moving kinematic body, goes on with that.
+/// Stands still from a time on; or, when it was met by one that goes on, goes on with that.
 void ContinuousCollision::stop(std::uint32_t index, float time, std::uint32_t by)
 {
     Mover& mover = movers_[index];
@@ -287,7 +305,7 @@ void ContinuousCollision::stop(std::uint32_t index, float time, std::uint32_t by
     mover.sweep = {left.local_center, left.center_start, left.center_start, left.q_start, 0};
     mover.since = time;
     ++mover.version;
-    const bool is_carried = by != null_index && !movers_[by].can_stop && !was_carried;
+    const bool is_carried = carries(by, index) && !was_carried;
     mover.is_stopped = !is_carried;
     if (!is_carried) return;
     const Sweep carrier = rest(movers_[by].sweep, part_of(movers_[by]));

@@ -3,7 +3,7 @@
 // The solver lets bodies move first; then the few that moved more than half their size in the step are looked at again, along their way. Those that
 // would have gone through another body are set back to the moment of touch, with the velocity that they have; in the next step the touch is an
 // ordinary contact. Two fast bodies that meet are both stopped. A body that a moving kinematic one would have passed through is carried along
-// by it from then on.
+// by it from then on; so is a free body by one that joints hold, which would tear at them if it were stopped.
 //
 // Impacts are handled in the order of their times. A body that has been stopped stands still for the rest of the step, and the ways of
 // others are judged anew against it. So nothing passes through anything, whatever the bodies are.
@@ -60,7 +60,8 @@ private:
         Sweep sweep;                  ///< from `since` to the end of the step
         Transform start;              ///< where it was when the step began
         bool can_stop;                ///< dynamic
-        bool is_fast;                 ///< found by its way, and not as what a kinematic body runs into
+        bool is_held;                 ///< has joints: goes on rather than a body without
+        bool is_fast;                 ///< found by its way, and not as what another runs into
         float since = 0;              ///< in the time of the step, 0 to 1
         bool is_stopped = false;      ///< stands still since then
         std::uint32_t version = 0;    ///< counts its stops
@@ -100,6 +101,8 @@ private:
     bool may_pass(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near) const;
     void list_pairs_of_movers();
     Sweep rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies, const ShapeStore& shapes) const;
+    bool can_be_stopped(std::uint32_t mover) const;
+    bool carries(std::uint32_t mover, std::uint32_t other) const;
     void seek_impact(std::uint32_t pair, float after, const BodyStore& bodies, const ShapeStore& shapes);
     std::uint32_t version_of(const Pair& pair) const;
     void resolve_impacts(const BodyStore& bodies, const ShapeStore& shapes);

@@ -148,6 +148,34 @@ TEST(Continuous, a_swung_bat_takes_a_ball_along)
     }
 }
 
+/// Stopping the blade itself would tear it from its hinge.
+TEST(Continuous, a_blade_on_a_hinge_takes_a_ball_along_and_stays_on_its_hinge)
+{
+    for (const float spin : {5.0f, 12.0f, 25.0f})
+        for (float turned = 0; turned < 6; turned += 0.37f)
+        {
+            World world({.gravity = {}});
+            const BodyId blade = world.create_body(
+                {.angle = turned, .linear_velocity = rotate(rotation(turned), {0, spin}), .angular_velocity = spin}, // of its middle
+                offset_box(2, 0.06f, {1, 0}), {.density = 20});
+            const JointId hinge = world.create_joint(world.joint_at({}, blade, {0, 0}), RevoluteJoint{});
+            const BodyId ball = world.create_body({.position = {1.5f, 0}}, circle(0.1f));
+            float error = 0;
+            float side_before = 0;
+            for (int i = 0; i < 120; ++i)
+            {
+                world.step(dt);
+                error = std::max(error, world.joint(hinge).error());
+                const Vec2 seen = inverse_transform(world.body(blade).transform(), world.body(ball).position());
+                const bool is_beside = seen.x > 0.1f && seen.x < 1.9f && std::abs(seen.y) < 0.3f;
+                ASSERT_FALSE(is_beside && side_before * seen.y < 0) << "passed through: " << spin << " rad/s from " << turned;
+                side_before = is_beside ? seen.y : 0;
+            }
+            EXPECT_LT(error, 0.01f) << spin << " rad/s from " << turned;
+            EXPECT_GT(length(world.body(ball).linear_velocity()), spin) << turned;
+        }
+}
+
 TEST(Continuous, a_sensor_crossed_at_speed_tells_one_begin_and_one_end)
 {
     for (float start = 0; start < 4; start += 0.21f)
