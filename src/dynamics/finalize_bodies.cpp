@@ -1,7 +1,6 @@
 // The only place where a step writes poses.
 #include "dynamics/finalize_bodies.hpp"
 
-#include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
 
 #include <algorithm>
@@ -28,12 +27,11 @@ float motion_turn(const BodyMotion& motion, float dt)
     return turn + 2 * pi * std::round((motion.w * dt - turn) / (2 * pi));
 }
 
-/// Moved by more than half the radius of its thinnest part; a little is always allowed.
 bool is_fast(const Sweep& sweep, const BodyWatch& watch, BodyType type)
 {
     const float way = distance(sweep.center_start, sweep.center_end) + std::abs(sweep.turn) * watch.outer_radius;
     if (watch.is_bullet && type == BodyType::Dynamic) return way > linear_slop;
-    return way > std::max(0.5f * watch.inner_radius, linear_slop);
+    return way > fast_way(watch.inner_radius);
 }
 
 /// The fat bounds of a fast body's shapes hold all of its way.

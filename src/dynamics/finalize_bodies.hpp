@@ -4,8 +4,10 @@
 #include "broadphase/broad_phase.hpp"
 #include "dynamics/body_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "geometry/manifold.hpp"
 #include "geometry/time_of_impact.hpp"
 
+#include <algorithm>
 #include <memory_resource>
 #include <vector>
 
@@ -21,6 +23,9 @@ struct FastBody
 
 /// Fat bounds reach ahead along the velocity for this many steps: fewer searches for pairs, against more false pairs.
 inline constexpr float steps_ahead = 2;
+
+/// What moved by more than this may have passed through something [m]: half the radius of its thinnest part; a little is always allowed.
+inline float fast_way(float inner_radius) { return std::max(0.5f * inner_radius, linear_slop); }
 
 /// Moves poses by the way since the start of the step and clears it and the forces. Shapes that leave their fat bounds get new
 /// ones and are marked as moved. A body whose state is not finite, or is beyond 1e15, stays where it

@@ -6,6 +6,14 @@
 namespace carom::detail
 {
 
+Vec2 middle_of(const Geometry& geometry)
+{
+    if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->center;
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) return 0.5f * (capsule->p1 + capsule->p2);
+    if (const auto* segment = std::get_if<Segment>(&geometry)) return 0.5f * (segment->p1 + segment->p2);
+    return std::get_if<Polygon>(&geometry)->centroid;
+}
+
 float inner_radius(const Geometry& geometry)
 {
     if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;

@@ -8,6 +8,9 @@
 namespace carom::detail
 {
 
+/// The middle of the shape [m]: of a polygon its centroid.
+Vec2 middle_of(const Geometry& geometry);
+
 /// Radius of a disc around the shape's middle that lies inside it [m]; 0 for a segment.
 float inner_radius(const Geometry& geometry);
 

@@ -6,8 +6,12 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
+#include "solver/swept_path.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace carom::detail
 {
@@ -75,13 +79,19 @@ bool are_parts_of_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b)
     return have_joints && record_a.island != null_index && record_a.island == record_b.island;
 }
 
+/// Along each axis the shorter of two ways, or none when they are opposed: it stays within the bounds of both.
+Vec2 common_way(Vec2 a, Vec2 b)
+{
+    const auto common = [](float x, float y) { return x * y > 0 ? (std::abs(x) < std::abs(y) ? x : y) : 0.0f; };
+    return {common(a.x, b.x), common(a.y, b.y)};
+}
+
 } // namespace
 
 ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& memory)
     : movers_(&memory),
       mover_of_body_(&memory),
       pairs_(&memory),
-      pairs_of_mover_(&memory),
       sensor_pairs_(&memory),
       impacts_(&memory),
       near_(&memory),
@@ -95,7 +105,6 @@ void ContinuousCollision::make_room_for(std::size_t bodies)
     make_room(mover_of_body_, bodies);
     make_room(movers_, few);
     make_room(pairs_, 4 * few);
-    make_room(pairs_of_mover_, 8 * few);
     make_room(sensor_pairs_, few);
     make_room(impacts_, 4 * few);
     make_room(near_, 4 * few);
@@ -120,19 +129,19 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
                            .start = body.sweep.at(0),
                            .can_stop = bodies.is_dynamic(body.body),
                            .is_held = bodies.records[body.body].first_joint != null_index,
+                           .is_bullet = bodies.records[body.body].is_bullet,
                            .is_fast = true});
     }
 
-    find_candidates({bodies, shapes, joints, contacts, rules, dt}, broad_phase);
-    list_pairs_of_movers();
-    for (std::uint32_t pair = 0; pair < pairs_.size(); ++pair) seek_impact(pair, 0, bodies, shapes);
-    resolve_impacts(bodies, shapes);
+    const Surroundings near = {bodies, shapes, joints, contacts, rules, dt};
+    find_candidates(near, broad_phase);
+    for (std::uint32_t pair = 0; pair < pairs_.size(); ++pair) seek_impact(pair, 0, near);
+    resolve_impacts(near, broad_phase);
     place_bodies(bodies, shapes, broad_phase, way_ahead);
     find_crossings(bodies, shapes);
     for (const Mover& mover : movers_) mover_of_body_[mover.body] = null_index;
     keep_headroom(movers_);
     keep_headroom(pairs_);
-    keep_headroom(pairs_of_mover_);
     keep_headroom(sensor_pairs_);
     keep_headroom(impacts_);
     keep_headroom(near_);
@@ -150,25 +159,37 @@ void ContinuousCollision::find_candidates(const Surroundings& near, BroadPhase& 
             Collector collector(near_);
             broad_phase.query(near.shapes.bounds[shape].fat, collector);
             std::sort(near_.begin(), near_.end()); // the broad phase does not show
-            for (const ProxyIndex other : near_) add_candidate(mover, shape, other, near);
+            for (const ProxyIndex other : near_)
+            {
+                const std::uint32_t other_mover = mover_of_body_[near.shapes.records[other].body];
+                const bool finds_this_one = other_mover != null_index && movers_[other_mover].is_fast && other < shape;
+                if (!finds_this_one) add_candidate(mover, shape, other, near);
+            }
         }
     }
 }
 
 /// Whether a pair that its filters allow to meet does not do so now.
-bool ContinuousCollision::may_pass(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near) const
+bool ContinuousCollision::may_pass(Pair& pair, const Surroundings& near) const
 {
-    const Contact* contact = find_contact(near.bodies, near.contacts, movers_[mover].body, shape, other);
-    if (contact && (contact->is_passing || contact->is_disabled)) return true;
-    if (!contact && near.rules.hooks != nullptr)
+    if (pair.passing == Pair::Passing::Unknown)
     {
+        const Mover& mover = movers_[pair.mover_a];
+        const Contact* contact = find_contact(near.bodies, near.contacts, mover.body, pair.shape_a, pair.shape_b);
         const auto id_of = [&](std::uint32_t s) { return ShapeId{s, near.shapes.slots.generation(s), near.rules.world}; };
-        if (!near.rules.hooks->should_collide(id_of(std::min(shape, other)), id_of(std::max(shape, other)))) return true;
+        const auto hook_says_no = [&]
+        {
+            if (contact || near.rules.hooks == nullptr) return false;
+            return !near.rules.hooks->should_collide(id_of(std::min(pair.shape_a, pair.shape_b)),
+                                                     id_of(std::max(pair.shape_a, pair.shape_b)));
+        };
+        const Transform& start_b =
+            pair.mover_b == null_index ? near.bodies.poses[near.shapes.records[pair.shape_b].body].transform : movers_[pair.mover_b].start;
+        const bool passes = (contact && (contact->is_passing || contact->is_disabled)) || hook_says_no() ||
+                            comes_from_behind(near.shapes, pair.shape_a, pair.shape_b, relative(mover.start, start_b));
+        pair.passing = passes ? Pair::Passing::Yes : Pair::Passing::No;
     }
-    const std::uint32_t body = near.shapes.records[other].body;
-    const std::uint32_t other_mover = mover_of_body_[body];
-    const Transform other_start = other_mover == null_index ? near.bodies.poses[body].transform : movers_[other_mover].start;
-    return comes_from_behind(near.shapes, shape, other, relative(movers_[mover].start, other_start));
+    return pair.passing == Pair::Passing::Yes;
 }
 
 void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near)
@@ -178,46 +199,50 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     if (!verdict.makes_contact) return;
     if (!verdict.is_sensor && are_parts_of_one(near.bodies, near.shapes.records[shape].body, body)) return;
     std::uint32_t other_mover = mover_of_body_[body];
-    if (other_mover != null_index && movers_[other_mover].is_fast && other < shape) return; // it finds this one
+    if (other_mover == mover) return;
     if (verdict.is_sensor)
     {
         sensor_pairs_.push_back({mover, other_mover, shape, other});
         return;
     }
-    if (may_pass(mover, shape, other, near)) return;
     const bool is_free = near.bodies.is_dynamic(body) && near.bodies.records[body].first_joint == null_index;
     if (other_mover == null_index && (!movers_[mover].can_stop || (movers_[mover].is_held && is_free)))
     {
         // It runs into one that hardly moves.
         other_mover = mover_of_body_[body] = static_cast<std::uint32_t>(movers_.size());
         const Sweep sweep = slow_way(near.bodies, body, near.dt);
-        movers_.push_back({.body = body, .sweep = sweep, .start = sweep.at(0), .can_stop = true, .is_held = !is_free, .is_fast = false});
+        movers_.push_back({.body = body,
+                           .sweep = sweep,
+                           .start = sweep.at(0),
+                           .can_stop = true,
+                           .is_held = !is_free,
+                           .is_bullet = false,
+                           .is_fast = false});
     }
-    pairs_.push_back({mover, other_mover, shape, other});
+    add_pair({mover, other_mover, shape, other});
 }
 
-/// For each mover the pairs that it is in, counted first and then filled in.
-void ContinuousCollision::list_pairs_of_movers()
+void ContinuousCollision::add_pair(const Pair& pair)
 {
-    for (Mover& mover : movers_) mover.end_pair = 0;
-    for (const Pair& pair : pairs_)
+    const auto index = static_cast<std::uint32_t>(pairs_.size());
+    Pair& added = pairs_.emplace_back(pair);
+    added.next_of_a = std::exchange(movers_[pair.mover_a].first_pair, index);
+    if (pair.mover_b != null_index) added.next_of_b = std::exchange(movers_[pair.mover_b].first_pair, index);
+}
+
+std::uint32_t ContinuousCollision::next_pair(std::uint32_t pair, std::uint32_t mover) const
+{
+    return pairs_[pair].mover_a == mover ? pairs_[pair].next_of_a : pairs_[pair].next_of_b;
+}
+
+bool ContinuousCollision::has_pair(std::uint32_t mover, std::uint32_t shape, std::uint32_t other) const
+{
+    for (std::uint32_t p = movers_[mover].first_pair; p != null_index; p = next_pair(p, mover))
     {
-        ++movers_[pair.mover_a].end_pair;
-        if (pair.mover_b != null_index) ++movers_[pair.mover_b].end_pair;
+        const Pair& pair = pairs_[p];
+        if ((pair.shape_a == shape && pair.shape_b == other) || (pair.shape_a == other && pair.shape_b == shape)) return true;
     }
-    std::uint32_t sum = 0;
-    for (Mover& mover : movers_)
-    {
-        const std::uint32_t count = mover.end_pair;
-        mover.first_pair = mover.end_pair = sum;
-        sum += count;
-    }
-    pairs_of_mover_.resize(sum);
-    for (std::uint32_t i = 0; i < pairs_.size(); ++i)
-    {
-        pairs_of_mover_[movers_[pairs_[i].mover_a].end_pair++] = i;
-        if (pairs_[i].mover_b != null_index) pairs_of_mover_[movers_[pairs_[i].mover_b].end_pair++] = i;
-    }
+    return false;
 }
 
 Sweep ContinuousCollision::rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies,
@@ -247,32 +272,40 @@ bool ContinuousCollision::carries(std::uint32_t mover, std::uint32_t other) cons
 
 /// Notes when, after a time, the two would begin to pass through each other: when the core of A would go into B; where that is in B already, a
 /// smaller core. They are stopped when they first touch.
-void ContinuousCollision::seek_impact(std::uint32_t index, float after, const BodyStore& bodies, const ShapeStore& shapes)
+void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Surroundings& near)
 {
-    const Pair& pair = pairs_[index];
+    Pair& pair = pairs_[index];
     if (after >= 1 || (!can_be_stopped(pair.mover_a) && !can_be_stopped(pair.mover_b))) return;
 
-    const Geometry& geometry = shapes.geometry[pair.shape_a];
-    const bool gives_way = bodies.is_dynamic(shapes.records[pair.shape_a].body) && bodies.is_dynamic(shapes.records[pair.shape_b].body);
-    const ConvexPoints other = convex_points(shapes.geometry[pair.shape_b]);
-    const Sweep way_a = rest_of_way(pair.mover_a, pair.shape_a, after, bodies, shapes);
-    const Sweep way_b = rest_of_way(pair.mover_b, pair.shape_b, after, bodies, shapes);
+    const Geometry& geometry = near.shapes.geometry[pair.shape_a];
+    const Geometry& other = near.shapes.geometry[pair.shape_b];
+    const Sweep way_a = rest_of_way(pair.mover_a, pair.shape_a, after, near.bodies, near.shapes);
+    const Sweep way_b = rest_of_way(pair.mover_b, pair.shape_b, after, near.bodies, near.shapes);
+    const float thickness = inner_radius(geometry);
+    const float other_thickness = inner_radius(other);
+    const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
+    const float least_way = movers_[pair.mover_a].is_bullet ? 0 : fast_way(thinner);
+    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way)) return;
+
+    const auto is_dynamic = [&](std::uint32_t shape) { return near.bodies.is_dynamic(near.shapes.records[shape].body); };
+    const bool gives_way = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
+    const ConvexPoints points_b = convex_points(other);
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {gives_way ? grazing_share : sliding_share, 0.5f, 0.75f, 0.95f})
     {
-        inside = time_of_impact(core_of(geometry, share * inner_radius(geometry)), way_a, other, way_b, impact_distance);
+        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, impact_distance);
         if (!inside || *inside > 0) break;
     }
-    if (!inside || *inside <= 0) return;
-    const std::optional<float> touch = time_of_impact(convex_points(geometry), way_a, other, way_b, impact_distance);
+    if (!inside || *inside <= 0 || may_pass(pair, near)) return;
+    const std::optional<float> touch = time_of_impact(convex_points(geometry), way_a, points_b, way_b, impact_distance);
     const float time = after + (1 - after) * (touch && *touch > 0 ? *touch : *inside);
     impacts_.push_back({time, index, version_of(pair)});
     const auto comes_later = [](const Impact& l, const Impact& r) { return l.time != r.time ? l.time > r.time : l.pair > r.pair; };
     std::push_heap(impacts_.begin(), impacts_.end(), comes_later);
 }
 
-void ContinuousCollision::resolve_impacts(const BodyStore& bodies, const ShapeStore& shapes)
+void ContinuousCollision::resolve_impacts(const Surroundings& near, BroadPhase& broad_phase)
 {
     const auto comes_later = [](const Impact& l, const Impact& r) { return l.time != r.time ? l.time > r.time : l.pair > r.pair; };
     while (!impacts_.empty())
@@ -281,38 +314,86 @@ void ContinuousCollision::resolve_impacts(const BodyStore& bodies, const ShapeSt
         const Impact impact = impacts_.back();
         impacts_.pop_back();
         const Pair pair = pairs_[impact.pair];
-        if (impact.version != version_of(pair)) continue; // one of them has been stopped since, and the pair was judged anew
-        const bool a_goes_on = !can_be_stopped(pair.mover_a) || carries(pair.mover_a, pair.mover_b);
-        const bool b_goes_on = !can_be_stopped(pair.mover_b) || carries(pair.mover_b, pair.mover_a);
-        if (!a_goes_on) stop(pair.mover_a, impact.time, pair.mover_b);
-        if (!b_goes_on) stop(pair.mover_b, impact.time, pair.mover_a);
-        for (const std::uint32_t mover : {pair.mover_a, pair.mover_b})
+        if (impact.version != version_of(pair)) continue; // one of them has met another since, and the pair was judged anew
+        const auto version = [&](std::uint32_t mover) { return mover == null_index ? 0 : movers_[mover].version; };
+        const std::array before = {version(pair.mover_a), version(pair.mover_b)};
+        meet(pair, impact.time, near, broad_phase);
+        for (const bool is_b : {false, true})
         {
-            if (mover == null_index) continue;
-            for (std::uint32_t p = movers_[mover].first_pair; p < movers_[mover].end_pair; ++p)
-                if (pairs_of_mover_[p] != impact.pair) seek_impact(pairs_of_mover_[p], impact.time, bodies, shapes);
+            const std::uint32_t mover = is_b ? pair.mover_b : pair.mover_a;
+            if (version(mover) == before[is_b]) continue; // its way is what it was
+            for (std::uint32_t p = movers_[mover].first_pair; p != null_index; p = next_pair(p, mover))
+                if (p != impact.pair) seek_impact(p, impact.time, near);
         }
     }
 }
 
-/// Stands still from a time on; or, when it was met by one that goes on, goes on with that.
-void ContinuousCollision::stop(std::uint32_t index, float time, std::uint32_t by)
+/// What is left of a mover's way from a time on.
+Sweep ContinuousCollision::way_left(std::uint32_t mover, float time) const
+{
+    const Mover& m = movers_[mover];
+    return rest(m.sweep, m.since < 1 ? (time - m.since) / (1 - m.since) : 1.0f);
+}
+
+/// From a time on two go on together: the one that can be stopped with the other, or both by what their ways have in common; so they meet no one that is not
+/// near their own ways. A body to which that happens again and again stands still in the end.
+void ContinuousCollision::meet(const Pair& pair, float time, const Surroundings& near, BroadPhase& broad_phase)
+{
+    constexpr std::uint32_t most_meetings = 3;
+    const auto is_tired = [&](std::uint32_t m) { return movers_[m].version >= most_meetings; };
+    const auto [a, b] = std::pair(pair.mover_a, pair.mover_b);
+    const bool a_stops = can_be_stopped(a);
+    const bool b_stops = can_be_stopped(b);
+    if (carries(a, b) && !is_tired(b)) return follow(b, a, time, near, broad_phase);
+    if (carries(b, a) && !is_tired(a)) return follow(a, b, time, near, broad_phase);
+    if (!a_stops || !b_stops || is_tired(a) || is_tired(b))
+    {
+        if (a_stops) stop(a, time);
+        if (b_stops) stop(b, time);
+        return;
+    }
+    const Sweep left_a = way_left(a, time);
+    const Sweep left_b = way_left(b, time);
+    const Vec2 way = common_way(left_a.center_end - left_a.center_start, left_b.center_end - left_b.center_start);
+    go_on(a, time, left_a, left_a.center_start + way, 0);
+    go_on(b, time, left_b, left_b.center_start + way, 0);
+}
+
+/// @param left what was left of the mover's way
+void ContinuousCollision::go_on(std::uint32_t index, float time, const Sweep& left, Vec2 center_end, float turn)
 {
     Mover& mover = movers_[index];
-    const auto part_of = [time](const Mover& m) { return m.since < 1 ? (time - m.since) / (1 - m.since) : 1.0f; };
-    const bool was_carried = mover.version > 0;
-    const Sweep left = rest(mover.sweep, part_of(mover));
-    mover.sweep = {left.local_center, left.center_start, left.center_start, left.q_start, 0};
+    mover.sweep = {left.local_center, left.center_start, center_end, left.q_start, turn};
     mover.since = time;
     ++mover.version;
-    const bool is_carried = carries(by, index) && !was_carried;
-    mover.is_stopped = !is_carried;
-    if (!is_carried) return;
-    const Sweep carrier = rest(movers_[by].sweep, part_of(movers_[by]));
-    const Transform from = carrier.at(0);
-    const Transform to = carrier.at(1);
-    mover.sweep.center_end = to * inverse_transform(from, left.center_start);
-    mover.sweep.turn = carrier.turn;
+}
+
+void ContinuousCollision::stop(std::uint32_t index, float time)
+{
+    const Sweep left = way_left(index, time);
+    go_on(index, time, left, left.center_start, 0);
+    movers_[index].is_stopped = true;
+}
+
+/// Keeps its place on another that goes on: off its own way, and so to what was not near that.
+void ContinuousCollision::follow(std::uint32_t index, std::uint32_t carrier, float time, const Surroundings& near, BroadPhase& broad_phase)
+{
+    const Sweep left = way_left(index, time);
+    const Sweep lead = way_left(carrier, time);
+    go_on(index, time, left, lead.at(1) * inverse_transform(lead.at(0), left.center_start), lead.turn);
+
+    const Sweep way = movers_[index].sweep;
+    for (std::uint32_t shape = near.bodies.records[movers_[index].body].first_shape; shape != null_index;
+         shape = near.shapes.records[shape].next_of_body)
+    {
+        const SweptPath path = path_of(near.shapes.geometry[shape], way);
+        const Aabb middle = merge(Aabb{path.from, path.from}, Aabb{path.from + path.way, path.from + path.way});
+        Collector collector(near_);
+        broad_phase.query(expanded(middle, path.reach), collector);
+        std::sort(near_.begin(), near_.end());
+        for (const ProxyIndex other : near_)
+            if (!has_pair(index, shape, other)) add_candidate(index, shape, other, near);
+    }
 }
 
 void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead)
@@ -366,6 +447,7 @@ void ContinuousCollision::find_crossings(const BodyStore& bodies, const ShapeSto
         if (is_through) crossings_.push_back({std::min(pair.shape_a, pair.shape_b), std::max(pair.shape_a, pair.shape_b)});
     }
     std::sort(crossings_.begin(), crossings_.end());
+    crossings_.erase(std::unique(crossings_.begin(), crossings_.end()), crossings_.end()); // one that was carried was looked at twice
 }
 
 } // namespace carom::detail

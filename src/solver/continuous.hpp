@@ -2,11 +2,12 @@
 //
 // The solver lets bodies move first; then the few that moved more than half their size in the step are looked at again, along their way. Those that
 // would have gone through another body are set back to the moment of touch, with the velocity that they have; in the next step the touch is an
-// ordinary contact. Two fast bodies that meet are both stopped. A body that a moving kinematic one would have passed through is carried along
-// by it from then on; so is a free body by one that joints hold, which would tear at them if it were stopped.
+// ordinary contact. Two fast bodies that meet go on by what their ways have in common: a crowd that flows goes on flowing. A body that a moving
+// kinematic one would have passed through is carried along by it from then on; so is a free body by one that joints hold, which would tear at them
+// if it were stopped.
 //
-// Impacts are handled in the order of their times. A body that has been stopped stands still for the rest of the step, and the ways of
-// others are judged anew against it. So nothing passes through anything, whatever the bodies are.
+// Impacts are handled in the order of their times. Whenever the way of a body changes, it is judged anew against those of others. So nothing passes through
+// anything, whatever the bodies are.
 #pragma once
 
 #include "broadphase/broad_phase.hpp"
@@ -57,16 +58,16 @@ private:
     struct Mover
     {
         std::uint32_t body;
-        Sweep sweep;                  ///< from `since` to the end of the step
-        Transform start;              ///< where it was when the step began
-        bool can_stop;                ///< dynamic
-        bool is_held;                 ///< has joints: goes on rather than a body without
-        bool is_fast;                 ///< found by its way, and not as what another runs into
-        float since = 0;              ///< in the time of the step, 0 to 1
-        bool is_stopped = false;      ///< stands still since then
-        std::uint32_t version = 0;    ///< counts its stops
-        std::uint32_t first_pair = 0; ///< in pairs_of_mover_
-        std::uint32_t end_pair = 0;
+        Sweep sweep;     ///< from `since` to the end of the step
+        Transform start; ///< where it was when the step began
+        bool can_stop;   ///< dynamic
+        bool is_held;    ///< has joints: goes on rather than a body without
+        bool is_bullet;
+        bool is_fast;                          ///< found by its way, and not as what another runs into
+        float since = 0;                       ///< in the time of the step, 0 to 1
+        bool is_stopped = false;               ///< stands still since then
+        std::uint32_t version = 0;             ///< counts its meetings
+        std::uint32_t first_pair = null_index; ///< of its list
     };
 
     /// Two shapes that may meet; B may be of a body that is not fast.
@@ -76,6 +77,14 @@ private:
         std::uint32_t mover_b; ///< null_index: at rest where it is
         std::uint32_t shape_a;
         std::uint32_t shape_b;
+        std::uint32_t next_of_a = null_index; ///< in the list of mover A's pairs
+        std::uint32_t next_of_b = null_index;
+        enum class Passing : std::uint8_t
+        {
+            Unknown, ///< asked when they would meet
+            Yes,
+            No
+        } passing = Passing::Unknown;
     };
 
     struct Impact
@@ -98,22 +107,27 @@ private:
 
     void find_candidates(const Surroundings& near, BroadPhase& broad_phase);
     void add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near);
-    bool may_pass(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near) const;
-    void list_pairs_of_movers();
+    void add_pair(const Pair& pair);
+    bool has_pair(std::uint32_t mover, std::uint32_t shape, std::uint32_t other) const;
+    std::uint32_t next_pair(std::uint32_t pair, std::uint32_t mover) const;
+    bool may_pass(Pair& pair, const Surroundings& near) const;
     Sweep rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies, const ShapeStore& shapes) const;
     bool can_be_stopped(std::uint32_t mover) const;
     bool carries(std::uint32_t mover, std::uint32_t other) const;
-    void seek_impact(std::uint32_t pair, float after, const BodyStore& bodies, const ShapeStore& shapes);
+    void seek_impact(std::uint32_t pair, float after, const Surroundings& near);
     std::uint32_t version_of(const Pair& pair) const;
-    void resolve_impacts(const BodyStore& bodies, const ShapeStore& shapes);
-    void stop(std::uint32_t mover, float time, std::uint32_t by);
+    void resolve_impacts(const Surroundings& near, BroadPhase& broad_phase);
+    Sweep way_left(std::uint32_t mover, float time) const;
+    void meet(const Pair& pair, float time, const Surroundings& near, BroadPhase& broad_phase);
+    void go_on(std::uint32_t mover, float time, const Sweep& left, Vec2 center_end, float turn);
+    void stop(std::uint32_t mover, float time);
+    void follow(std::uint32_t mover, std::uint32_t carrier, float time, const Surroundings& near, BroadPhase& broad_phase);
     void place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead);
     void find_crossings(const BodyStore& bodies, const ShapeStore& shapes);
 
     std::pmr::vector<Mover> movers_;
     std::pmr::vector<std::uint32_t> mover_of_body_; ///< by body slot; null_index
     std::pmr::vector<Pair> pairs_;
-    std::pmr::vector<std::uint32_t> pairs_of_mover_;
     std::pmr::vector<Pair> sensor_pairs_;
     std::pmr::vector<Impact> impacts_; ///< a heap: the first comes first
     std::pmr::vector<ProxyIndex> near_;

@@ -148,6 +148,29 @@ TEST(Continuous, a_swung_bat_takes_a_ball_along)
     }
 }
 
+/// The ball is slow and far from the wall until the bat comes, within one step.
+TEST(Continuous, a_bat_does_not_drive_a_ball_through_a_wall)
+{
+    for (const float speed : {30.0f, 100.0f, 300.0f})
+        for (float start = 0; start < 1; start += 0.09f)
+        {
+            World world({.gravity = {}});
+            world.create_body({.type = BodyType::Static}, segment({0, -3}, {0, 3}));
+            const BodyId bat = world.create_body(
+                {.type = BodyType::Kinematic, .position = {-speed / 20 - start, 0}, .linear_velocity = {speed, 0}}, box(0.1f, 2));
+            const BodyId ball = world.create_body({.position = {-1, 0.1f}}, circle(0.1f), {.material = {.restitution = 0.5f}});
+            for (int i = 0; i < 60; ++i)
+            {
+                Body driver = world.body(bat);
+                const float room = -0.3f - driver.position().x; // up to where the ball still fits between
+                driver.set_linear_velocity({std::min(speed, std::max(0.0f, room / dt)), 0});
+                world.step(dt);
+                ASSERT_LT(world.body(ball).position().x, 0) << speed << " m/s from " << start << ", step " << i;
+                ASSERT_GT(world.body(ball).position().x, world.body(bat).position().x) << speed << " m/s from " << start << ", step " << i;
+            }
+        }
+}
+
 /// Stopping the blade itself would tear it from its hinge.
 TEST(Continuous, a_blade_on_a_hinge_takes_a_ball_along_and_stays_on_its_hinge)
 {

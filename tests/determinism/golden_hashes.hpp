@@ -17,16 +17,16 @@ struct SceneHash
 
 inline constexpr std::array scenes = {
     SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdd748a15be11db95},
-    SceneHash{"collisions", 0x5a0f2d42578d750a},    SceneHash{"gravity", 0xb84f23b3dec653a4},
+    SceneHash{"collisions", 0xff49de80c662a4dd},    SceneHash{"gravity", 0x4d62e791b916f046},
     SceneHash{"queries", 0x145406711d8dd151},       SceneHash{"character", 0x857d68e194b0e773},
-    SceneHash{"chain-terrain", 0x1c9225e31f9d5983}, SceneHash{"tiles", 0xb1e8a99a62e0d769},
-    SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xa5ea06c0461ae4fa},
+    SceneHash{"chain-terrain", 0x47df88e0c3e36ae2}, SceneHash{"tiles", 0xb1e8a99a62e0d769},
+    SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xb6988ac91a9fc23a},
     SceneHash{"sleep", 0xcd6361869a137139},         SceneHash{"bridge", 0xa316be613bd44876},
-    SceneHash{"domino", 0xe6f496d8401bae88},        SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
-    SceneHash{"card-house", 0xdcec4d8846594a4b},    SceneHash{"arch", 0x617282ad49417830},
+    SceneHash{"domino", 0x450e20befa7ec24f},        SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
+    SceneHash{"card-house", 0x8736f1d88c76417e},    SceneHash{"arch", 0x19c2315631acd88c},
     SceneHash{"mass-ratio", 0xb1d649cf6bd889ec},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x92faa44b6fcf0476;
+inline constexpr std::uint64_t mixed_world = 0xf136751a147692bc;
 
 } // namespace carom::golden

@@ -1,0 +1,47 @@
+// A shape's way in a step as a straight line with a disc around it: rough, cheap, and never too small.
+#pragma once
+
+#include "geometry/extent.hpp"
+#include "geometry/manifold.hpp"
+#include "geometry/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::detail
+{
+
+/// The middle of a shape on its way, as a straight line, and all that the shape reaches around it.
+struct SweptPath
+{
+    Vec2 from;
+    Vec2 way;
+    float reach; ///< [m]
+    float swing; ///< of its farthest point by turning [m]
+};
+
+inline SweptPath path_of(const Geometry& geometry, const Sweep& sweep)
+{
+    const Vec2 middle = middle_of(geometry);
+    const Vec2 arm = middle - sweep.local_center;
+    const float bow = length(arm) * std::min(std::abs(sweep.turn), 2.0f); // by which turning takes the middle off the line
+    const float reach = outer_radius(geometry, middle);
+    return {sweep.center_start + rotate(sweep.q_start, arm), sweep.center_end - sweep.center_start, reach + bow,
+            std::abs(sweep.turn) * (reach + length(arm))};
+}
+
+/// What costs little and tells most pairs apart: discs around both shapes come within reach of each other, and the two move by more, as seen from
+/// each other, than what the contact can take back.
+/// @param least_way relative way that counts [m]
+inline bool may_pass_through(const SweptPath& a, const SweptPath& b, float least_way)
+{
+    const Vec2 offset = b.from - a.from;
+    const Vec2 way = b.way - a.way;
+    const float way2 = length_squared(way);
+    if (std::sqrt(way2) + a.swing + b.swing <= least_way) return false;
+    const float nearest = way2 > 0 ? std::clamp(-dot(offset, way) / way2, 0.0f, 1.0f) : 0.0f;
+    const float reach = a.reach + b.reach + linear_slop;
+    return !(length_squared(offset + nearest * way) > reach * reach); // also when a number is not finite
+}
+
+} // namespace carom::detail

@@ -1,0 +1,58 @@
+// The rough test must let through all that the exact one finds.
+#include "geometry/random_shapes.hpp"
+#include "solver/swept_path.hpp"
+
+#include <gtest/gtest.h>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+Sweep random_sweep(RandomShapes& random)
+{
+    Sweep sweep;
+    sweep.local_center = random.point(0.5f);
+    sweep.center_start = random.point(3);
+    sweep.center_end = sweep.center_start + random.point(8);
+    sweep.q_start = rotation(random.uniform(-pi, pi));
+    sweep.turn = random.uniform(-pi, pi);
+    return sweep;
+}
+
+} // namespace
+
+TEST(SweptPath, LetsThroughWhateverMeetsAndHoldsBackMostThatDoesNot)
+{
+    RandomShapes random(7);
+    int met = 0;
+    int missed = 0;
+    int held_back = 0;
+    for (int i = 0; i < 8000; ++i)
+    {
+        const Geometry a = random.geometry_of(i % 4, 0.5f);
+        const Geometry b = random.geometry_of(i / 4 % 4, 0.5f);
+        const Sweep way_a = random_sweep(random);
+        const Sweep way_b = random_sweep(random);
+        const bool meets = time_of_impact(convex_points(a), way_a, convex_points(b), way_b, 0.5f * linear_slop).has_value();
+        const bool passes = may_pass_through(path_of(a, way_a), path_of(b, way_b), 0);
+        EXPECT_TRUE(passes || !meets) << i;
+        met += meets;
+        missed += !meets;
+        held_back += !passes;
+    }
+    EXPECT_GT(met, 500);
+    EXPECT_GT(2 * held_back, missed);
+}
+
+TEST(SweptPath, HoldsBackWhatMovesTogether)
+{
+    const Geometry disc = Circle{{}, 0.5f};
+    const Sweep a = {.local_center = {}, .center_start = {0, 0}, .center_end = {10, 0}, .q_start = {}, .turn = 0};
+    const Sweep b = {.local_center = {}, .center_start = {1.01f, 0}, .center_end = {10.9f, 0}, .q_start = {}, .turn = 0};
+    EXPECT_FALSE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.25f));
+    EXPECT_TRUE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.1f));
+}
+
+} // namespace carom::detail
