@@ -45,6 +45,19 @@ TEST(Bullets, none_escapes)
     EXPECT_NE(status_of(*scene).find(" 0 escaped"), std::string::npos) << status_of(*scene);
 }
 
+/// Lively ones whirl at thousands of radians in a second.
+TEST(Bullets, none_escapes_at_any_speed)
+{
+    for (const double speed : {300.0, 900.0, 2000.0})
+        for (const double restitution : {0.3, 1.0})
+            for (const std::uint64_t seed : {5u, 6u})
+            {
+                const auto scene = make_scene("bullets", {{"speed", speed}, {"restitution", restitution}}, seed);
+                for (int i = 0; i < 600; ++i) scene->step();
+                EXPECT_NE(status_of(*scene).find(" 0 escaped"), std::string::npos) << status_of(*scene) << ", seed " << seed;
+            }
+}
+
 TEST(Bullets, they_do_without_continuous_collision)
 {
     const auto scene = make_scene("bullets", {{"speed", 900.0}});

@@ -84,6 +84,25 @@ TEST(Stacking, a_heavy_box_rests_on_a_light_one)
     EXPECT_LT(length(world.body(heavy).linear_velocity()), 0.1);
 }
 
+/// A floating slab that weighs 10,000 times what stands on it is as good as ground.
+TEST(Stacking, ten_boxes_stand_on_a_very_heavy_body)
+{
+    World world({.sleep = {.is_enabled = false}});
+    const BodyId slab = world.create_body({.position = {0, -1}, .gravity_scale = 0}, box(20, 2), {.density = 1e4f});
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 10; ++i) boxes.push_back(world.create_body({.position = {0, 0.5f + static_cast<float>(i)}}, box(1, 1)));
+    for (int step = 0; step < 500; ++step) world.step(dt);
+    const float top = world.body(slab).position().y + 1; // the weight of the boxes moves it by half a millimetre
+    EXPECT_NEAR(top, 0, 0.01);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+        const Body body = world.body(boxes[i]);
+        EXPECT_NEAR(body.position().y, top + 0.5f + static_cast<float>(i), 0.1) << i;
+        EXPECT_NEAR(body.position().x, 0, 0.01) << i;
+        EXPECT_LT(length(body.linear_velocity()), 0.1) << i;
+    }
+}
+
 TEST(Stacking, discs_and_capsules_rest_on_the_ground)
 {
     World world = world_with_ground();

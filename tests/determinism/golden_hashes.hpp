@@ -17,10 +17,10 @@ struct SceneHash
 
 inline constexpr std::array scenes = {
     SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdd748a15be11db95},
-    SceneHash{"collisions", 0xff49de80c662a4dd},    SceneHash{"gravity", 0x4d62e791b916f046},
+    SceneHash{"collisions", 0xeb67ce56364fa2a4},    SceneHash{"gravity", 0x4d62e791b916f046},
     SceneHash{"queries", 0x145406711d8dd151},       SceneHash{"character", 0x857d68e194b0e773},
     SceneHash{"chain-terrain", 0x47df88e0c3e36ae2}, SceneHash{"tiles", 0xb1e8a99a62e0d769},
-    SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xb6988ac91a9fc23a},
+    SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xb2001786cbac86c5},
     SceneHash{"sleep", 0xcd6361869a137139},         SceneHash{"bridge", 0xa316be613bd44876},
     SceneHash{"domino", 0x450e20befa7ec24f},        SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
     SceneHash{"card-house", 0x8736f1d88c76417e},    SceneHash{"arch", 0x19c2315631acd88c},
