@@ -1,28 +1,11 @@
 // The bridge holds, and more can be laid on it and taken away.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace carom::scenes
 {
-
-namespace
-{
-
-/// The largest joint error in so many steps [m].
-float largest_error(Scene& scene, int steps)
-{
-    float largest = 0;
-    for (int i = 0; i < steps; ++i)
-    {
-        scene.step();
-        for (const JointId joint : scene.world().joints()) largest = std::max(largest, scene.world().joint(joint).error());
-    }
-    return largest;
-}
-
-} // namespace
 
 /// While the loads strike, pins give way a little; later they hold exactly, but for what still rolls about.
 TEST(Bridge, holds_for_ten_seconds)
@@ -37,8 +20,8 @@ TEST(Bridge, holds_for_ten_seconds)
         for (const std::uint64_t seed : {1u, 2u, 3u, 4u})
         {
             const auto scene = make_scene("bridge", {{"density", bound.density}}, seed);
-            EXPECT_LT(largest_error(*scene, 480), bound.struck) << bound.density << ", seed " << seed;
-            EXPECT_LT(largest_error(*scene, 120), bound.later) << bound.density << ", seed " << seed;
+            EXPECT_LT(largest_joint_error(*scene, 480), bound.struck) << bound.density << ", seed " << seed;
+            EXPECT_LT(largest_joint_error(*scene, 120), bound.later) << bound.density << ", seed " << seed;
             EXPECT_EQ(scene->world().joint_count(), 21) << bound.density;
         }
 }
@@ -47,9 +30,9 @@ TEST(Bridge, loads_come_and_go)
 {
     const auto scene = make_scene("bridge", {{"loads", 0}});
     const int empty = scene->world().body_count();
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {0, 5}});
+    click(*scene, {0, 5});
     EXPECT_EQ(scene->world().body_count(), empty + 1);
-    largest_error(*scene, 300);
+    step(*scene, 300);
     EXPECT_GT(scene->world().body(scene->world().bodies().back()).position().y, -4);
     scene->key("x");
     scene->key("x");

@@ -1,8 +1,8 @@
+// Nothing passes through anything, unless continuous collision is off.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace carom::scenes
 {
@@ -10,39 +10,15 @@ namespace carom::scenes
 namespace
 {
 
-/// Dynamic bodies outside of the field after a while.
-int outside(Scene& scene, int steps)
-{
-    int count = 0;
-    for (int i = 0; i < steps; ++i)
-    {
-        scene.step();
-        for (const BodyId id : scene.world().bodies())
-        {
-            const BodyView body = scene.world().body(id);
-            const Vec2 p = body.position();
-            count += body.type() == BodyType::Dynamic && (std::abs(p.x) > 20 || p.y < 0 || p.y > 22) ? 1 : 0;
-        }
-    }
-    return count;
-}
-
-std::string status_of(const Scene& scene)
-{
-    DrawList list;
-    scene.draw(list);
-    std::string all;
-    for (const DrawnText& text : list.layer(Layer::Captions).texts) all += text.text + "\n";
-    return all;
-}
+constexpr Aabb frame{{-20, 0}, {20, 22}};
 
 } // namespace
 
 TEST(Bullets, none_escapes)
 {
     const auto scene = make_scene("bullets");
-    EXPECT_EQ(outside(*scene, 1800), 0);
-    EXPECT_NE(status_of(*scene).find(" 0 escaped"), std::string::npos) << status_of(*scene);
+    EXPECT_EQ(times_outside(*scene, frame, 1800), 0);
+    EXPECT_NE(captions_of(*scene).find(" 0 escaped"), std::string::npos) << captions_of(*scene);
 }
 
 /// Lively ones whirl at thousands of radians in a second.
@@ -53,8 +29,8 @@ TEST(Bullets, none_escapes_at_any_speed)
             for (const std::uint64_t seed : {5u, 6u})
             {
                 const auto scene = make_scene("bullets", {{"speed", speed}, {"restitution", restitution}}, seed);
-                for (int i = 0; i < 600; ++i) scene->step();
-                EXPECT_NE(status_of(*scene).find(" 0 escaped"), std::string::npos) << status_of(*scene) << ", seed " << seed;
+                step(*scene, 600);
+                EXPECT_NE(captions_of(*scene).find(" 0 escaped"), std::string::npos) << captions_of(*scene) << ", seed " << seed;
             }
 }
 
@@ -63,8 +39,8 @@ TEST(Bullets, they_do_without_continuous_collision)
     const auto scene = make_scene("bullets", {{"speed", 900.0}});
     scene->key("c");
     EXPECT_FALSE(scene->world().is_continuous());
-    for (int i = 0; i < 120; ++i) scene->step();
-    EXPECT_EQ(status_of(*scene).find(" 0 escaped"), std::string::npos) << status_of(*scene);
+    step(*scene, 120);
+    EXPECT_EQ(captions_of(*scene).find(" 0 escaped"), std::string::npos) << captions_of(*scene);
 }
 
 } // namespace carom::scenes

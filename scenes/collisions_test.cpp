@@ -1,5 +1,6 @@
 // The collision scene: its cover, energy, colours, freezing.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -122,9 +123,9 @@ TEST(Collisions, two_that_meet_take_one_colour)
 TEST(Collisions, adds_bodies_only_between_the_walls)
 {
     const auto scene = make_scene("collisions", {{"circles", 0}, {"boxes", 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {1000, 0}});
+    click(*scene, {1000, 0});
     EXPECT_EQ(scene->world().body_count(), 1);
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {1, 0}});
+    click(*scene, {1, 0});
     EXPECT_EQ(scene->world().body_count(), 2);
 }
 

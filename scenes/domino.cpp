@@ -151,16 +151,10 @@ void Domino::set_up()
     }
 }
 
-/// Pushes the first stone and the middle one of every row.
+/// Pushes the first stone of every row.
 void Domino::start()
 {
-    const std::size_t half = stones_.size() / (2 * rows.size());
-    for (std::size_t row = 0; row < rows.size(); ++row)
-    {
-        const std::size_t first = row * stones_.size() / rows.size();
-        push(stones_[first].body, push_speed);
-        push(stones_[first + half].body, push_speed);
-    }
+    for (std::size_t row = 0; row < rows.size(); ++row) push(stones_[row * stones_.size() / rows.size()].body, push_speed);
 }
 
 /// Tips a stone about its base.
@@ -227,7 +221,7 @@ SceneInfo domino_scene()
             {Control::Kind::Pointer, "left", "push a stone to the right"},
             {Control::Kind::Pointer, "right", "push a stone to the left"},
             {Control::Kind::Key, "s", "set all stones up again"},
-            {Control::Kind::Key, "space", "push the first stone and the middle one of every row"},
+            {Control::Kind::Key, "space", "push the first stone of every row"},
         }),
         .parameters = with_common_parameters({
             integer("stones", {8, 10, 40}, "", Applies::OnRestart, "in a row"),

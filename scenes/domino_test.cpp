@@ -1,5 +1,6 @@
 // Every stone falls, and they can be set up again.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,11 +10,6 @@ namespace carom::scenes
 
 namespace
 {
-
-void step(Scene& scene, int count)
-{
-    for (int i = 0; i < count; ++i) scene.step();
-}
 
 /// Stones that lean to the right by more than 0.6 rad.
 int fallen(const Scene& scene)

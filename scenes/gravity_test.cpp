@@ -1,5 +1,6 @@
 // The gravity scene: the pyramid, the ball, dropping and taking away.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +11,6 @@ namespace
 {
 
 const ParameterValues empty = {{"pyramid", 0}, {"pile", 0}, {"ball", false}};
-
-void step(Scene& scene, int count)
-{
-    for (int i = 0; i < count; ++i) scene.step();
-}
-
-void click(Scene& scene, PointerEvent::Button button, Vec2 place) { scene.pointer({PointerEvent::Action::Down, button, place}); }
 
 } // namespace
 
@@ -46,7 +40,7 @@ TEST(Gravity, every_kind_can_be_dropped_and_comes_to_rest)
     for (int kind = 0; kind < 5; ++kind)
     {
         scene->key(std::to_string(kind + 1));
-        click(*scene, PointerEvent::Button::Left, {-4 + 2 * static_cast<float>(kind), 2});
+        click(*scene, {-4 + 2 * static_cast<float>(kind), 2});
     }
     step(*scene, 400);
     const std::vector<BodyId> bodies = scene->world().bodies();
@@ -61,13 +55,13 @@ TEST(Gravity, every_kind_can_be_dropped_and_comes_to_rest)
 TEST(Gravity, the_pointer_takes_bodies_away)
 {
     const auto scene = make_scene("gravity", empty);
-    click(*scene, PointerEvent::Button::Left, {0, 5});
+    click(*scene, {0, 5});
     EXPECT_EQ(scene->world().body_count(), 2);
-    click(*scene, PointerEvent::Button::Right, {3, 5});
+    click(*scene, {3, 5}, PointerEvent::Button::Right);
     EXPECT_EQ(scene->world().body_count(), 2);
-    click(*scene, PointerEvent::Button::Right, {0, 5});
+    click(*scene, {0, 5}, PointerEvent::Button::Right);
     EXPECT_EQ(scene->world().body_count(), 1);
-    click(*scene, PointerEvent::Button::Right, {0, -2}); // the ground stays
+    click(*scene, {0, -2}, PointerEvent::Button::Right); // the ground stays
     EXPECT_EQ(scene->world().body_count(), 1);
 }
 
@@ -90,14 +84,14 @@ TEST(Gravity, size_stays_in_its_range)
     EXPECT_EQ(scene->parameters().real("size"), 5);
     for (int i = 0; i < 100; ++i) scene->pointer({PointerEvent::Action::Wheel, PointerEvent::Button::None, {}, -100});
     EXPECT_NEAR(scene->parameters().real("size"), 0.2, 1e-6);
-    click(*scene, PointerEvent::Button::Left, {0, 5});
+    click(*scene, {0, 5});
     EXPECT_EQ(scene->world().body_count(), 2);
 }
 
 TEST(Gravity, what_falls_off_the_ground_is_taken_away)
 {
     const auto scene = make_scene("gravity", empty);
-    click(*scene, PointerEvent::Button::Left, {60, 5});
+    click(*scene, {60, 5});
     EXPECT_EQ(scene->world().body_count(), 2);
     step(*scene, 300);
     EXPECT_EQ(scene->world().body_count(), 1);

@@ -146,7 +146,7 @@ SceneInfo newton_cradle_scene()
         }),
         .parameters = with_common_parameters({
             integer("balls", {3, 5, 9}, "", Applies::OnRestart, "on rods"),
-            integer("lifted", {1, 2, 9}, "", Applies::Live, "balls that are lifted"),
+            integer("lifted", {1, 1, 9}, "", Applies::Live, "balls that are lifted"),
             real("angle", {5, 50, 80}, "deg", Applies::Live, "to which they are lifted, give or take half a degree"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<NewtonCradle>(setup); },

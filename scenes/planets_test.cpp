@@ -1,5 +1,6 @@
 // The planet scene: orbits, suns, collisions, the camera.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -32,11 +33,6 @@ int count_named(const World& world, std::string_view name)
     return count;
 }
 
-void step(Scene& scene, int count)
-{
-    for (int i = 0; i < count; ++i) scene.step();
-}
-
 } // namespace
 
 TEST(Planets, orbits_are_circular)
@@ -64,8 +60,8 @@ TEST(Planets, the_sun_feels_nothing_of_planets_until_everything_pulls)
 TEST(Planets, the_pointer_adds_planets_and_suns)
 {
     const auto scene = make_scene("planets", {{"planets", 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {20, 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Right, {0, 80}});
+    click(*scene, {20, 0});
+    click(*scene, {0, 80}, PointerEvent::Button::Right);
     EXPECT_EQ(count_named(scene->world(), "planet"), 1);
     EXPECT_EQ(count_named(scene->world(), "sun"), 2);
     const BodyView planet = scene->world().body(scene->world().bodies()[1]);
@@ -76,7 +72,7 @@ TEST(Planets, the_pointer_adds_planets_and_suns)
 TEST(Planets, two_suns_circle_each_other)
 {
     const auto scene = make_scene("planets", {{"planets", 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Right, {30, 0}});
+    click(*scene, {30, 0}, PointerEvent::Button::Right);
     const auto separation = [&]
     {
         const std::vector<BodyId> suns = scene->world().bodies();
@@ -92,7 +88,7 @@ TEST(Planets, two_suns_circle_each_other)
 TEST(Planets, the_camera_follows_the_nearest_sun)
 {
     const auto scene = make_scene("planets", {{"planets", 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Right, {30, 0}});
+    click(*scene, {30, 0}, PointerEvent::Button::Right);
     scene->key("f");
     step(*scene, 100);
     EXPECT_GT(length(scene->camera().center), 0.5f);

@@ -1,5 +1,6 @@
 // The queries scene: what it shows follows the bodies.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(QueriesScene, a_click_pushes_what_is_near)
     for (const BodyId body : scene->world().bodies())
         if (scene->world().body(body).type() == BodyType::Dynamic) scene->world().body(body).set_linear_velocity({});
     scene->pointer({PointerEvent::Action::Move, PointerEvent::Button::None, {0, 0}});
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {0, 0}});
+    click(*scene, {0, 0});
     int moving = 0;
     for (const BodyId body : scene->world().bodies())
     {

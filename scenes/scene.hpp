@@ -49,6 +49,9 @@ struct SceneInfo
     std::vector<Control> controls;
     std::vector<ParameterInfo> parameters;
     std::unique_ptr<Scene> (*make)(const SceneSetup&) = nullptr;
+    /// Whether the scene stands still with its defaults until someone touches it, as a house of cards does. Of all others a test asks that
+    /// they move by themselves, so that a person who opens one sees at once what it is about.
+    bool is_calm = false;
 };
 
 struct PointerEvent

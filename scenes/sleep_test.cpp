@@ -1,4 +1,6 @@
+// The towers fall asleep, and each wakes by itself.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +10,9 @@ namespace carom::scenes
 TEST(SleepScene, comes_to_rest_and_a_ball_wakes_one_tower)
 {
     const auto scene = make_scene("sleep", {{"balls", false}});
-    for (int i = 0; i < 420; ++i) scene->step();
+    step(*scene, 420);
     EXPECT_EQ(scene->world().awake_body_count(), 0);
-    scene->pointer({.action = PointerEvent::Action::Down, .button = PointerEvent::Button::Left, .position = {1.5f, 8}});
+    click(*scene, {1.5f, 8});
     int most = 0;
     for (int i = 0; i < 120; ++i)
     {

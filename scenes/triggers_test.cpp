@@ -1,5 +1,6 @@
 // The trigger scene: who is yellow, who stays in the field.
 #include "scenes/registry.hpp"
+#include "scenes/scene_testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +78,7 @@ TEST(Triggers, the_pointer_carries_a_shape)
     EXPECT_EQ(scene->world().body(scene->world().bodies().front()).position(), (Vec2{3, 2}));
     EXPECT_EQ(yellow_shapes(*scene), 0);
 
-    scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, {3, 2}});
+    click(*scene, {3, 2});
     scene->step();
     EXPECT_EQ(yellow_shapes(*scene), 2);
 

@@ -22,8 +22,8 @@ inline constexpr std::array scenes = {
     SceneHash{"chain-terrain", 0x47df88e0c3e36ae2}, SceneHash{"tiles", 0xb1e8a99a62e0d769},
     SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xb2001786cbac86c5},
     SceneHash{"sleep", 0xcd6361869a137139},         SceneHash{"bridge", 0xa316be613bd44876},
-    SceneHash{"domino", 0x450e20befa7ec24f},        SceneHash{"newton-cradle", 0x1b9c9bef3d9148b7},
-    SceneHash{"card-house", 0x8736f1d88c76417e},    SceneHash{"arch", 0x19c2315631acd88c},
+    SceneHash{"domino", 0x22618e3fdde5b3dd},        SceneHash{"newton-cradle", 0x77d3b57055ad4ca0},
+    SceneHash{"card-house", 0xc262a3fd61c0e573},    SceneHash{"arch", 0xecf027701c45731b},
     SceneHash{"mass-ratio", 0xb1d649cf6bd889ec},
 };
 
