@@ -23,5 +23,6 @@ SceneInfo newton_cradle_scene();
 SceneInfo card_house_scene();
 SceneInfo arch_scene();
 SceneInfo mass_ratio_scene();
+SceneInfo joints_scene();
 
 } // namespace carom::scenes
