@@ -24,5 +24,6 @@ SceneInfo card_house_scene();
 SceneInfo arch_scene();
 SceneInfo mass_ratio_scene();
 SceneInfo joints_scene();
+SceneInfo ragdolls_scene();
 
 } // namespace carom::scenes

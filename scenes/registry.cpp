@@ -9,10 +9,11 @@ namespace carom::scenes
 
 const std::vector<SceneInfo>& all_scenes()
 {
-    static const std::vector<SceneInfo> scenes = {
-        planets_scene(),       triggers_scene(),      collisions_scene(), gravity_scene(), queries_scene(),    character_scene(),
-        chain_terrain_scene(), tiles_scene(),         one_way_scene(),    bullets_scene(), sleep_scene(),      bridge_scene(),
-        domino_scene(),        newton_cradle_scene(), card_house_scene(), arch_scene(),    mass_ratio_scene(), joints_scene()};
+    static const std::vector<SceneInfo> scenes = {planets_scene(),    triggers_scene(),      collisions_scene(),    gravity_scene(),
+                                                  queries_scene(),    character_scene(),     chain_terrain_scene(), tiles_scene(),
+                                                  one_way_scene(),    bullets_scene(),       sleep_scene(),         bridge_scene(),
+                                                  domino_scene(),     newton_cradle_scene(), card_house_scene(),    arch_scene(),
+                                                  mass_ratio_scene(), joints_scene(),        ragdolls_scene()};
     return scenes;
 }
 

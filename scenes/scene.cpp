@@ -30,7 +30,7 @@ WorldDef with_broad_phase(WorldDef def, const Parameters& parameters)
 
 } // namespace
 
-std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase)
+std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase, int substeps)
 {
     std::vector<std::string> broad_phases = {std::string(name_of(broad_phase))};
     for (const BroadPhaseType type : all_broad_phases)
@@ -39,7 +39,7 @@ std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own
     }
     own.push_back(choice("broad_phase", broad_phases, Applies::Live, "how pairs of near shapes are found"));
     own.push_back(real("step_rate", {10, 60, 1000}, "1/s", Applies::Live, "steps in a second of simulated time"));
-    own.push_back(integer("substeps", {1, 4, 64}, "", Applies::Live, "parts into which the solver divides a step"));
+    own.push_back(integer("substeps", {1, substeps, 64}, "", Applies::Live, "parts into which the solver divides a step"));
     own.push_back(boolean("show_squares", broad_phase == BroadPhaseType::Quadtree, Applies::Live, "draw the broad phase's nodes"));
     own.push_back(boolean("show_bounds", false, Applies::Live, "draw the bounds of shapes"));
     return own;

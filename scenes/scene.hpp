@@ -164,7 +164,9 @@ inline constexpr int max_bodies = 20000;
 
 /// The parameters and controls that every scene has beside its own.
 /// @param broad_phase the default
-std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase = BroadPhaseType::Tree);
+/// @param substeps    the default
+std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase = BroadPhaseType::Tree,
+                                                  int substeps = 4);
 std::vector<Control> with_common_controls(std::vector<Control> own);
 
 } // namespace carom::scenes
