@@ -25,5 +25,6 @@ SceneInfo arch_scene();
 SceneInfo mass_ratio_scene();
 SceneInfo joints_scene();
 SceneInfo ragdolls_scene();
+SceneInfo car_scene();
 
 } // namespace carom::scenes

@@ -13,7 +13,7 @@ const std::vector<SceneInfo>& all_scenes()
                                                   queries_scene(),    character_scene(),     chain_terrain_scene(), tiles_scene(),
                                                   one_way_scene(),    bullets_scene(),       sleep_scene(),         bridge_scene(),
                                                   domino_scene(),     newton_cradle_scene(), card_house_scene(),    arch_scene(),
-                                                  mass_ratio_scene(), joints_scene(),        ragdolls_scene()};
+                                                  mass_ratio_scene(), joints_scene(),        ragdolls_scene(),      car_scene()};
     return scenes;
 }
 
