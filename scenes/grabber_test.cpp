@@ -18,7 +18,7 @@ PointerEvent event(Action action, Vec2 place) { return {.action = action, .butto
 TEST(Grabber, drags_a_body_by_the_point_that_was_taken)
 {
     World world({.gravity = {0, 0}});
-    const BodyId body = world.create_body({}, box(2, 1));
+    const BodyId body = world.create_body({.angular_damping = 3}, box(2, 1));
     Grabber grabber;
     EXPECT_TRUE(grabber.on_pointer(world, event(Action::Down, {0.8f, 0.3f})));
     EXPECT_TRUE(grabber.on_pointer(world, event(Action::Move, {5, 4})));

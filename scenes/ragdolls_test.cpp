@@ -59,9 +59,9 @@ TEST(Ragdolls, their_joints_hold_while_they_fall_and_they_fall_asleep)
 
 TEST(Ragdolls, stay_in_the_box)
 {
-    const auto scene = make_scene("ragdolls", {{"dolls", 40}});
-    EXPECT_EQ(times_outside(*scene, {{-13, 0}, {13, 40}}, 1500), 0);
-    EXPECT_EQ(dynamic_bodies(*scene).size(), 40u * limbs);
+    const auto scene = make_scene("ragdolls", {{"dolls", 24}});
+    EXPECT_EQ(times_outside(*scene, {{-13, 0}, {13, 40}}, 800), 0);
+    EXPECT_EQ(dynamic_bodies(*scene).size(), 24u * limbs);
 }
 
 TEST(Ragdolls, a_key_and_clicks_add_dolls_up_to_two_hundred)
