@@ -79,8 +79,7 @@ private:
     double next_row_ = 0; ///< when they are [s]
 };
 
-// Without continuous collision: nothing here is thin enough to be passed through, and stopping one limb of a doll tears at its joints.
-Ragdolls::Ragdolls(const SceneSetup& setup) : PaintedScene(setup, {.continuous = false}), random_(seed(), 1)
+Ragdolls::Ragdolls(const SceneSetup& setup) : PaintedScene(setup, {}), random_(seed(), 1)
 {
     camera_ = {.center = {0, 5.9f}, .height = 14.8f};
     add_course();

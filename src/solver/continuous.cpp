@@ -94,6 +94,7 @@ ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& memory)
       pairs_(&memory),
       sensor_pairs_(&memory),
       impacts_(&memory),
+      changed_(&memory),
       near_(&memory),
       crossings_(&memory)
 {
@@ -107,6 +108,7 @@ void ContinuousCollision::make_room_for(std::size_t bodies)
     make_room(pairs_, 4 * few);
     make_room(sensor_pairs_, few);
     make_room(impacts_, 4 * few);
+    make_room(changed_, few);
     make_room(near_, 4 * few);
     make_room(crossings_, few);
 }
@@ -144,6 +146,7 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
     keep_headroom(pairs_);
     keep_headroom(sensor_pairs_);
     keep_headroom(impacts_);
+    keep_headroom(changed_);
     keep_headroom(near_);
     keep_headroom(crossings_);
 }
@@ -208,18 +211,27 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     const bool is_free = near.bodies.is_dynamic(body) && near.bodies.records[body].first_joint == null_index;
     if (other_mover == null_index && (!movers_[mover].can_stop || (movers_[mover].is_held && is_free)))
     {
-        // It runs into one that hardly moves.
-        other_mover = mover_of_body_[body] = static_cast<std::uint32_t>(movers_.size());
-        const Sweep sweep = slow_way(near.bodies, body, near.dt);
-        movers_.push_back({.body = body,
-                           .sweep = sweep,
-                           .start = sweep.at(0),
-                           .can_stop = true,
-                           .is_held = !is_free,
-                           .is_bullet = false,
-                           .is_fast = false});
+        other_mover = mover_of(body, near); // it runs into one that hardly moves
     }
     add_pair({mover, other_mover, shape, other});
+}
+
+/// The mover of a body, made if it was slow so far.
+std::uint32_t ContinuousCollision::mover_of(std::uint32_t body, const Surroundings& near)
+{
+    std::uint32_t& mover = mover_of_body_[body];
+    if (mover != null_index) return mover;
+    mover = static_cast<std::uint32_t>(movers_.size());
+    const Sweep sweep = slow_way(near.bodies, body, near.dt);
+    const BodyRecord& record = near.bodies.records[body];
+    movers_.push_back({.body = body,
+                       .sweep = sweep,
+                       .start = sweep.at(0),
+                       .can_stop = true,
+                       .is_held = record.first_joint != null_index,
+                       .is_bullet = record.is_bullet,
+                       .is_fast = false});
+    return mover;
 }
 
 void ContinuousCollision::add_pair(const Pair& pair)
@@ -315,16 +327,11 @@ void ContinuousCollision::resolve_impacts(const Surroundings& near, BroadPhase& 
         impacts_.pop_back();
         const Pair pair = pairs_[impact.pair];
         if (impact.version != version_of(pair)) continue; // one of them has met another since, and the pair was judged anew
-        const auto version = [&](std::uint32_t mover) { return mover == null_index ? 0 : movers_[mover].version; };
-        const std::array before = {version(pair.mover_a), version(pair.mover_b)};
+        changed_.clear();
         meet(pair, impact.time, near, broad_phase);
-        for (const bool is_b : {false, true})
-        {
-            const std::uint32_t mover = is_b ? pair.mover_b : pair.mover_a;
-            if (version(mover) == before[is_b]) continue; // its way is what it was
+        for (const std::uint32_t mover : changed_)
             for (std::uint32_t p = movers_[mover].first_pair; p != null_index; p = next_pair(p, mover))
                 if (p != impact.pair) seek_impact(p, impact.time, near);
-        }
     }
 }
 
@@ -346,10 +353,11 @@ void ContinuousCollision::meet(const Pair& pair, float time, const Surroundings&
     const bool b_stops = can_be_stopped(b);
     if (carries(a, b) && !is_tired(b)) return follow(b, a, time, near, broad_phase);
     if (carries(b, a) && !is_tired(a)) return follow(a, b, time, near, broad_phase);
-    if (!a_stops || !b_stops || is_tired(a) || is_tired(b))
+    const bool is_held = a_stops && movers_[a].is_held; // then so is B, or it would be carried
+    if (!a_stops || !b_stops || is_held || is_tired(a) || is_tired(b))
     {
-        if (a_stops) stop(a, time);
-        if (b_stops) stop(b, time);
+        if (a_stops) stop(a, time, near);
+        if (b_stops) stop(b, time, near);
         return;
     }
     const Sweep left_a = way_left(a, time);
@@ -366,13 +374,34 @@ void ContinuousCollision::go_on(std::uint32_t index, float time, const Sweep& le
     mover.sweep = {left.local_center, left.center_start, center_end, left.q_start, turn};
     mover.since = time;
     ++mover.version;
+    changed_.push_back(index);
 }
 
-void ContinuousCollision::stop(std::uint32_t index, float time)
+/// Stands still from a time on, and with it what joints hold to it: the ends of a joint must be where they were at the same time, or it is torn open.
+void ContinuousCollision::stop(std::uint32_t index, float time, const Surroundings& near)
 {
-    const Sweep left = way_left(index, time);
-    go_on(index, time, left, left.center_start, 0);
-    movers_[index].is_stopped = true;
+    constexpr std::size_t most = 64; // of a large mechanism those next to it
+    const auto stop_one = [&](std::uint32_t mover)
+    {
+        const Sweep left = way_left(mover, time);
+        go_on(mover, time, left, left.center_start, 0);
+        movers_[mover].is_stopped = true;
+    };
+    const std::size_t first = changed_.size();
+    stop_one(index);
+    if (!movers_[index].is_held) return;
+    for (std::size_t i = first; i < changed_.size() && changed_.size() - first < most; ++i)
+    {
+        std::uint32_t edge = near.bodies.records[movers_[changed_[i]].body].first_joint;
+        for (; edge != null_index; edge = near.joints.joints[edge / 2].next[edge % 2])
+        {
+            const Joint& joint = near.joints.joints[edge / 2];
+            const std::uint32_t other = edge % 2 == 0 ? joint.body_b : joint.body_a;
+            if (other == null_index || !near.bodies.is_dynamic(other) || near.bodies.motion_index[other] == 0) continue;
+            const std::uint32_t mover = mover_of(other, near);
+            if (!movers_[mover].is_stopped) stop_one(mover);
+        }
+    }
 }
 
 /// Keeps its place on another that goes on: off its own way, and so to what was not near that.

@@ -107,6 +107,7 @@ private:
 
     void find_candidates(const Surroundings& near, BroadPhase& broad_phase);
     void add_candidate(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near);
+    std::uint32_t mover_of(std::uint32_t body, const Surroundings& near);
     void add_pair(const Pair& pair);
     bool has_pair(std::uint32_t mover, std::uint32_t shape, std::uint32_t other) const;
     std::uint32_t next_pair(std::uint32_t pair, std::uint32_t mover) const;
@@ -120,7 +121,7 @@ private:
     Sweep way_left(std::uint32_t mover, float time) const;
     void meet(const Pair& pair, float time, const Surroundings& near, BroadPhase& broad_phase);
     void go_on(std::uint32_t mover, float time, const Sweep& left, Vec2 center_end, float turn);
-    void stop(std::uint32_t mover, float time);
+    void stop(std::uint32_t mover, float time, const Surroundings& near);
     void follow(std::uint32_t mover, std::uint32_t carrier, float time, const Surroundings& near, BroadPhase& broad_phase);
     void place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead);
     void find_crossings(const BodyStore& bodies, const ShapeStore& shapes);
@@ -129,7 +130,8 @@ private:
     std::pmr::vector<std::uint32_t> mover_of_body_; ///< by body slot; null_index
     std::pmr::vector<Pair> pairs_;
     std::pmr::vector<Pair> sensor_pairs_;
-    std::pmr::vector<Impact> impacts_; ///< a heap: the first comes first
+    std::pmr::vector<Impact> impacts_;        ///< a heap: the first comes first
+    std::pmr::vector<std::uint32_t> changed_; ///< movers whose way an impact has changed
     std::pmr::vector<ProxyIndex> near_;
     std::pmr::vector<Crossing> crossings_;
 };

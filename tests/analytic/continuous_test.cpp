@@ -199,6 +199,38 @@ TEST(Continuous, a_blade_on_a_hinge_takes_a_ball_along_and_stays_on_its_hinge)
         }
 }
 
+/// What stops one part stops all that joints hold to it.
+TEST(Continuous, a_chain_thrown_at_a_wall_does_not_pass_and_stays_together)
+{
+    // A blow opens joints by no more than its speed makes of the substep in which it comes.
+    for (const auto& [speed, bound] : {std::pair{10.0f, 0.04f}, {30.0f, 0.1f}, {100.0f, 0.15f}})
+        for (float turned = 0; turned < 3; turned += 0.31f)
+        {
+            World world({.gravity = {}});
+            world.create_body({.type = BodyType::Static}, segment({0, -10}, {0, 10}));
+            std::vector<BodyId> links;
+            std::vector<JointId> pins;
+            const Rot q = rotation(turned);
+            for (int i = 0; i < 6; ++i)
+            {
+                const Vec2 middle = Vec2{-3, 0} + rotate(q, {0.4f * static_cast<float>(i) - 1, 0});
+                links.push_back(world.create_body({.position = middle, .angle = turned, .linear_velocity = {speed, 0}}, box(0.4f, 0.1f)));
+                if (i == 0) continue;
+                const Vec2 pin = middle - rotate(q, {0.2f, 0});
+                pins.push_back(world.create_joint(world.joint_at(links[links.size() - 2], links.back(), pin), RevoluteJoint{}));
+            }
+            float error = 0;
+            for (int i = 0; i < 60; ++i)
+            {
+                world.step(dt);
+                for (const BodyId link : links)
+                    ASSERT_LT(world.body(link).position().x, 0) << speed << " m/s, turned by " << turned << ", step " << i;
+                for (const JointId pin : pins) error = std::max(error, world.joint(pin).error());
+            }
+            EXPECT_LT(error, bound) << speed << " m/s, turned by " << turned;
+        }
+}
+
 TEST(Continuous, a_sensor_crossed_at_speed_tells_one_begin_and_one_end)
 {
     for (float start = 0; start < 4; start += 0.21f)

@@ -24,7 +24,7 @@ inline constexpr std::array scenes = {
     SceneHash{"sleep", 0xcd6361869a137139},         SceneHash{"bridge", 0xa316be613bd44876},
     SceneHash{"domino", 0x22618e3fdde5b3dd},        SceneHash{"newton-cradle", 0x77d3b57055ad4ca0},
     SceneHash{"card-house", 0xc262a3fd61c0e573},    SceneHash{"arch", 0xecf027701c45731b},
-    SceneHash{"joints", 0x9f46aee96d69a874},        SceneHash{"ragdolls", 0x86301deaf93917db},
+    SceneHash{"joints", 0x9f46aee96d69a874},        SceneHash{"ragdolls", 0x885dc8fd3f0e6713},
     SceneHash{"car", 0x34528da1d6240a86},           SceneHash{"mass-ratio", 0xb1d649cf6bd889ec},
 };
 
