@@ -1,36 +1,15 @@
 // One move of a character: carry, get out, slide with steps, follow the ground.
-//
-// The outline is kept a skin's width away from everything, by casting it with the skin around it. What the skin overlaps (something was
-// moved into it, or it is squeezed) is left out of that cast and acts as a plane; and the bare outline is cast as well, so that nothing
-// is ever entered.
 #include "geometry/distance.hpp"
-#include "geometry/manifold.hpp"
 #include "geometry/validate.hpp"
+#include "world/character_move.hpp"
 #include "world/validate.hpp"
 
-#include <carom/character.hpp>
-
-#include <algorithm>
-#include <array>
+#include <utility>
 
 namespace carom
 {
 
-namespace
-{
-
-/// Rounds of slide: each ends at a surface, and two surfaces make a corner.
-constexpr int most_slides = 6;
-/// Planes that are heeded at once; more than a few touch only in a heap of rubble.
-constexpr std::size_t most_planes = 16;
-/// A surface this near to the skin is touched [m]: more than the rounding of a cast that ended there.
-constexpr float contact_margin = 2e-4f;
-/// Ways shorter than this are none [m].
-constexpr float least_way = 1e-6f;
-/// Share of the skin that even the bare outline keeps.
-constexpr float least_skin = 0.2f;
-
-Geometry grown(const Geometry& geometry, float by)
+Geometry CharacterMove::grown(const Geometry& geometry, float by)
 {
     if (const auto* circle = std::get_if<Circle>(&geometry)) return Circle{circle->center, circle->radius + by};
     if (const auto* capsule = std::get_if<Capsule>(&geometry)) return Capsule{capsule->p1, capsule->p2, capsule->radius + by};
@@ -40,98 +19,18 @@ Geometry grown(const Geometry& geometry, float by)
     return polygon;
 }
 
-/// A surface that the skin touches or overlaps.
-struct Plane
+CharacterMove::CharacterMove(Character& character, World& world, Vec2 velocity, float dt)
+    : character_(character),
+      def_(character.def_),
+      world_(world),
+      velocity_(velocity),
+      dt_(dt),
+      right_(right_perp(def_.up)),
+      skinned_(grown(def_.geometry, def_.skin)),
+      guarded_(grown(def_.geometry, least_skin * def_.skin)),
+      least_up_(sin_cos(def_.max_slope).cos)
 {
-    ShapeId shape;
-    BodyId body;
-    Vec2 normal;          ///< towards the character
-    Vec2 point;           ///< in the world [m]
-    float separation = 0; ///< from the skin [m]
-};
-
-/// Leaves shapes out that act as planes, on top of the user's own predicate.
-class Without final : public QueryPredicate
-{
-public:
-    explicit Without(const QueryPredicate* own) : own_(own) {}
-    void add(ShapeId shape)
-    {
-        if (count_ < shapes_.size()) shapes_[count_++] = shape;
-    }
-    bool accepts(ShapeId shape, BodyId body) const override
-    {
-        const auto end = shapes_.begin() + static_cast<std::ptrdiff_t>(count_);
-        return std::find(shapes_.begin(), end, shape) == end && (!own_ || own_->accepts(shape, body));
-    }
-
-private:
-    const QueryPredicate* own_;
-    std::array<ShapeId, most_planes> shapes_;
-    std::size_t count_ = 0;
-};
-
-} // namespace
-
-/// A move in progress.
-class CharacterMove
-{
-public:
-    CharacterMove(Character& character, World& world, Vec2 velocity, float dt)
-        : character_(character),
-          def_(character.def_),
-          world_(world),
-          velocity_(velocity),
-          dt_(dt),
-          right_(right_perp(def_.up)),
-          skinned_(grown(def_.geometry, def_.skin)),
-          guarded_(grown(def_.geometry, least_skin * def_.skin)),
-          least_up_(sin_cos(def_.max_slope).cos)
-    {
-    }
-
-    Vec2 run();
-
-private:
-    // Where it is and what it touches.
-    Transform here() const { return {character_.position_, {}}; }
-    bool is_on_ground() const { return character_.ground_.state == GroundState::OnGround; }
-    float lowest_point() const;
-    bool is_walkable(Vec2 normal) const { return dot(normal, def_.up) >= least_up_; }
-    QueryFilter filter(const QueryPredicate* predicate) const;
-    void find_planes(float margin);
-    std::optional<Vec2> edge_normal(Vec2 point, Vec2 normal) const;
-    Vec2 ground_normal(Vec2 point, Vec2 normal) const;
-
-    // Moving.
-    void move_by(Vec2 way);
-    float free_way(Vec2 way, CastHit* first = nullptr);
-    float slide_share(Vec2& way);
-    Vec2 against(Vec2 way, const Plane& plane) const;
-    Vec2 against_all(Vec2 way) const;
-    void carry();
-    void get_out();
-    void slide(Vec2 way, bool may_step);
-    bool step_up(Vec2 way);
-    void push(Vec2 wanted);
-    void clip_velocity();
-    const Plane* best_support() const;
-    void find_ground(float reach);
-    void stand_on(ShapeId shape, BodyId body, Vec2 point, Vec2 normal);
-
-    Character& character_;
-    const CharacterDef& def_;
-    World& world_;
-    Vec2 velocity_;
-    float dt_;
-    Vec2 right_;
-    Geometry skinned_;
-    Geometry guarded_;       ///< what must never be entered
-    float least_up_;         ///< of a normal on which it can walk
-    float highest_step_ = 0; ///< height along `up` at which an edge is too high to step on [m]
-    std::array<Plane, most_planes> planes_;
-    std::size_t plane_count_ = 0;
-};
+}
 
 /// Height of its foot along `up` [m].
 float CharacterMove::lowest_point() const
@@ -140,185 +39,6 @@ float CharacterMove::lowest_point() const
     float lowest = dot(outline.points[0], def_.up);
     for (std::size_t i = 1; i < static_cast<std::size_t>(outline.count); ++i) lowest = std::min(lowest, dot(outline.points[i], def_.up));
     return dot(character_.position_, def_.up) + lowest - outline.radius;
-}
-
-QueryFilter CharacterMove::filter(const QueryPredicate* predicate) const
-{
-    QueryFilter filter = def_.filter;
-    filter.sensors = false;
-    filter.predicate = predicate;
-    return filter;
-}
-
-/// Where the world of queries ends, it ends for characters.
-void CharacterMove::move_by(Vec2 way)
-{
-    const Vec2 limit = {max_coordinate, max_coordinate};
-    character_.position_ = max(-limit, min(limit, character_.position_ + way));
-}
-
-/// The surfaces within a margin of the skin; those that are overlapped deepest are kept when there are too many.
-void CharacterMove::find_planes(float margin)
-{
-    plane_count_ = 0;
-    const auto look = [&](ShapeId id)
-    {
-        const ShapeView shape = std::as_const(world_).shape(id);
-        const Transform at = std::as_const(world_).body(shape.body()).transform();
-        const detail::LocalManifold contact = detail::collide(shape.geometry(), skinned_, relative(at, here()), margin);
-        if (contact.count == 0) return;
-        detail::LocalPoint deepest = contact.points[0];
-        if (contact.count == 2 && contact.points[1].separation < deepest.separation) deepest = contact.points[1];
-        const Plane plane = {id, shape.body(), rotate(at.q, contact.normal), at * deepest.position, deepest.separation};
-        if (plane_count_ < most_planes)
-        {
-            planes_[plane_count_++] = plane;
-            return;
-        }
-        Plane& shallowest =
-            *std::max_element(planes_.begin(), planes_.end(), [](const Plane& a, const Plane& b) { return a.separation < b.separation; });
-        if (plane.separation < shallowest.separation) shallowest = plane;
-    };
-    const Aabb box = expanded(aabb_of(skinned_, here()), margin);
-    const Vec2 limit = {max_coordinate, max_coordinate};
-    world_.visit_overlapping(Aabb{max(-limit, min(limit, box.min)), max(-limit, min(limit, box.max))}, look, filter(def_.filter.predicate));
-}
-
-/// On the edge of a step, the normal is anything between those of its faces. It counts as ground when the face behind the edge is.
-std::optional<Vec2> CharacterMove::edge_normal(Vec2 point, Vec2 normal) const
-{
-    constexpr float behind = 0.02f; // [m]
-    constexpr float above = 0.05f;  // [m]
-    const float side = dot(normal, right_) > 0 ? -1.0f : 1.0f;
-    if (dot(normal, def_.up) < 0 || dot(point, def_.up) > highest_step_) return std::nullopt;
-    const Vec2 start = point + behind * side * right_ + above * def_.up;
-    const std::optional<RayHit> face = world_.cast_ray(start, -2 * above * def_.up, filter(def_.filter.predicate));
-    if (!face || face->starts_inside || !is_walkable(face->normal)) return std::nullopt;
-    return face->normal;
-}
-
-Vec2 CharacterMove::ground_normal(Vec2 point, Vec2 normal) const
-{
-    return is_walkable(normal) ? normal : edge_normal(point, normal).value_or(normal);
-}
-
-/// How much of a way is free, as a share.
-/// @param first what ends it, when something does
-float CharacterMove::free_way(Vec2 way, CastHit* first)
-{
-    const float distance = length(way);
-    if (distance < least_way) return 1;
-    find_planes(contact_margin);
-    Without planes(def_.filter.predicate);
-    for (std::size_t i = 0; i < plane_count_; ++i)
-        if (planes_[i].separation < 0) planes.add(planes_[i].shape);
-
-    float share = 1;
-    if (const std::optional<CastHit> hit = world_.cast_shape(skinned_, here(), way, filter(&planes)); hit && !hit->starts_inside)
-    {
-        share = hit->fraction;
-        if (first) *first = *hit;
-    }
-    const std::optional<CastHit> guard = world_.cast_shape(guarded_, here(), way, filter(def_.filter.predicate));
-    if (guard && !guard->starts_inside && guard->fraction < share)
-    {
-        share = std::max(0.0f, guard->fraction - contact_margin / distance);
-        if (first) *first = *guard;
-    }
-    return share;
-}
-
-/// A way along a plane, less what leads into it. What is too steep to walk on is a wall: it lets nobody up.
-Vec2 CharacterMove::against(Vec2 way, const Plane& plane) const
-{
-    const Vec2 n = plane.normal;
-    const float into = dot(way, n);
-    if (into >= 0) return way;
-    const Vec2 along = way - into * n;
-    const bool climbs = dot(along, def_.up) > std::max(0.0f, dot(way, def_.up)) + least_way;
-    if (!climbs || is_walkable(ground_normal(plane.point, n))) return along;
-    const Vec2 wall = normalize(dot(n, right_) * right_);
-    const Vec2 beside = way - std::min(0.0f, dot(way, wall)) * wall;
-    return beside - std::min(0.0f, dot(beside, n)) * n;
-}
-
-/// Along all that is touched; nothing is left of it in a corner.
-Vec2 CharacterMove::against_all(Vec2 way) const
-{
-    for (std::size_t i = 0; i < plane_count_; ++i) way = against(way, planes_[i]);
-    for (std::size_t i = 0; i < plane_count_; ++i)
-        if (dot(way, planes_[i].normal) < -1e-4f * length(way)) return {};
-    return way;
-}
-
-/// Like free_way, but a surface that the way only grazes does not stop it: the normals of corners are not exact.
-/// @param way bent by as little as it takes
-float CharacterMove::slide_share(Vec2& way)
-{
-    constexpr float graze = 1e-3f;
-    CastHit first;
-    const float share = free_way(way, &first);
-    const float distance = length(way);
-    const float into = dot(way, first.normal);
-    if (share * distance >= least_way || into < -graze * distance) return share;
-    way += (0.01f * graze * distance - into) * first.normal;
-    return free_way(way);
-}
-
-void CharacterMove::slide(Vec2 way, bool may_step)
-{
-    for (int i = 0; i < most_slides && length(way) > least_way; ++i)
-    {
-        find_planes(contact_margin);
-        const Vec2 along = against_all(way);
-        const float wanted = dot(way, right_);
-        const bool is_stopped = dot(along, right_) * wanted <= 0.5f * wanted * wanted;
-        if (may_step && is_stopped && step_up(way)) return;
-        way = along;
-        const float share = slide_share(way);
-        move_by(share * way);
-        way *= 1 - share;
-    }
-}
-
-/// Up, forward and down again. It counts when there is ground, higher than before.
-bool CharacterMove::step_up(Vec2 way)
-{
-    constexpr float least_step = 0.001f; // [m]
-    const Vec2 forward = dot(way, right_) * right_;
-    if (def_.step_height <= 0 || length(forward) < least_way) return false;
-    const Vec2 before = character_.position_;
-    const Vec2 up = def_.step_height * def_.up;
-    const Vec2 lift = free_way(up) * up;
-    move_by(lift);
-    const float share = free_way(forward);
-    move_by(share * forward);
-
-    CastHit ground;
-    const float down = free_way(-lift, &ground);
-    move_by(-down * lift);
-    const bool is_higher = dot(character_.position_ - before, def_.up) > least_step;
-    const bool has_ground =
-        down < 1 && dot(ground.point, def_.up) <= highest_step_ && is_walkable(ground_normal(ground.point, ground.normal));
-    if (share * length(forward) > least_way && is_higher && has_ground) return true;
-    character_.position_ = before;
-    return false;
-}
-
-/// Pushes each dynamic body that it touches as hard as it takes to make way, at most with the push force.
-void CharacterMove::push(Vec2 wanted)
-{
-    if (def_.push_force <= 0) return;
-    for (std::size_t i = 0; i < plane_count_; ++i)
-    {
-        const Plane& plane = planes_[i];
-        Body body = world_.body(plane.body);
-        const float approach = -dot(wanted - body.velocity_at(plane.point), plane.normal);
-        if (body.type() != BodyType::Dynamic || approach <= 0 || is_walkable(plane.normal)) continue; // it stands on what is walkable
-        const float impulse = std::min(def_.push_force * dt_, approach * body.mass_data().mass);
-        const Vec2 limit = {max_coordinate, max_coordinate};
-        body.apply_impulse(-impulse * plane.normal, max(-limit, min(limit, plane.point)));
-    }
 }
 
 /// Goes along with the ground's body, by what that has moved since the last move. A body that was teleported does not take it along.
@@ -364,6 +84,22 @@ void CharacterMove::get_out()
     }
 }
 
+/// Pushes each dynamic body that it touches as hard as it takes to make way, at most with the push force.
+void CharacterMove::push(Vec2 wanted)
+{
+    if (def_.push_force <= 0) return;
+    for (std::size_t i = 0; i < plane_count_; ++i)
+    {
+        const Plane& plane = planes_[i];
+        Body body = world_.body(plane.body);
+        const float approach = -dot(wanted - body.velocity_at(plane.point), plane.normal);
+        if (body.type() != BodyType::Dynamic || approach <= 0 || is_walkable(plane.normal)) continue; // it stands on what is walkable
+        const float impulse = std::min(def_.push_force * dt_, approach * body.mass_data().mass);
+        const Vec2 limit = {max_coordinate, max_coordinate};
+        body.apply_impulse(-impulse * plane.normal, max(-limit, min(limit, plane.point)));
+    }
+}
+
 /// Takes from the velocity what leads into surfaces that do not go away by themselves.
 void CharacterMove::clip_velocity()
 {
@@ -390,7 +126,7 @@ void CharacterMove::stand_on(ShapeId shape, BodyId id, Vec2 point, Vec2 normal)
 }
 
 /// What it touches that points up most.
-const Plane* CharacterMove::best_support() const
+const CharacterMove::Plane* CharacterMove::best_support() const
 {
     const Plane* best = nullptr;
     for (std::size_t i = 0; i < plane_count_; ++i)
@@ -447,6 +183,8 @@ Vec2 CharacterMove::run()
     return velocity_;
 }
 
+// ---- public ----
+
 Character::Character(const CharacterDef& def) : def_(def), position_(def.position)
 {
     constexpr std::string_view function = "Character";
@@ -460,7 +198,7 @@ Character::Character(const CharacterDef& def) : def_(def), position_(def.positio
     detail::require_range(function, "snap_distance", def.snap_distance, 0, max_coordinate);
     detail::require_range(function, "skin", def.skin, 0.001f, 0.1f);
     detail::require_range(function, "push_force", def.push_force, 0, 1e20f);
-    detail::validate(grown(def.geometry, def.skin), function); // the largest shapes leave no room for the skin
+    detail::validate(CharacterMove::grown(def.geometry, def.skin), function); // the largest shapes leave no room for the skin
 }
 
 void Character::set_position(Vec2 position)
