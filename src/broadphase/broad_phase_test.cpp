@@ -1,28 +1,16 @@
 // All broad phases find the same pairs as a plain double loop, through random histories of many kinds of worlds.
 #include "broadphase/broad_phase.hpp"
+#include "math/random_numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 
 namespace carom::detail
 {
 namespace
 {
-
-class Random
-{
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    unsigned below(unsigned end) { return static_cast<unsigned>(engine_() % end); }
-    bool chance(double probability) { return between(0, 1) < probability; }
-    float between(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) / 16777216.0f); }
-
-private:
-    std::mt19937 engine_;
-};
 
 Aabb box_at(Vec2 center, float half_x, float half_y)
 {

@@ -1,12 +1,12 @@
 // Queries of all broad phases against a plain loop, through random histories, with and without a search for pairs in between.
 #include "broadphase/broad_phase.hpp"
+#include "math/random_numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <new>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,22 +15,6 @@ namespace carom::detail
 {
 namespace
 {
-
-class Random
-{
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    unsigned below(unsigned end) { return static_cast<unsigned>(engine_() % end); }
-    float between(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) / 16777216.0f); }
-    Vec2 point(float reach)
-    {
-        const float x = between(-reach, reach);
-        return {x, between(-reach, reach)};
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 /// Small boxes, seldom one as large as the world, seldom at places and of sizes where floats end.
 Aabb random_box(Random& random)

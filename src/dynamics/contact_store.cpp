@@ -2,6 +2,7 @@
 #include "dynamics/contact_store.hpp"
 
 #include "dynamics/body_store.hpp"
+#include "dynamics/edge_list.hpp"
 #include "memory/make_room.hpp"
 
 namespace carom::detail
@@ -23,15 +24,15 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};
-    link(2 * slot, pair.body_a, bodies);
-    link(2 * slot + 1, pair.body_b, bodies);
+    link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
+    link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);
     return slot;
 }
 
 void ContactStore::destroy(std::uint32_t slot, BodyStore& bodies)
 {
-    unlink(2 * slot, contacts[slot].body_a, bodies);
-    unlink(2 * slot + 1, contacts[slot].body_b, bodies);
+    unlink_edge(contacts, 2 * slot, bodies.records[contacts[slot].body_a].first_contact);
+    unlink_edge(contacts, 2 * slot + 1, bodies.records[contacts[slot].body_b].first_contact);
     put_to_sleep(slot);
     contacts[slot].is_live = false;
     slots.release(slot);
@@ -61,26 +62,6 @@ void ContactStore::reserve(std::size_t count)
     contacts.reserve(count);
     manifolds.reserve(count);
     awake.reserve(count);
-}
-
-void ContactStore::link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies)
-{
-    std::uint32_t& first = bodies.records[body].first_contact;
-    contacts[edge / 2].previous[edge % 2] = null_index;
-    contacts[edge / 2].next[edge % 2] = first;
-    if (first != null_index) contacts[first / 2].previous[first % 2] = edge;
-    first = edge;
-}
-
-void ContactStore::unlink(std::uint32_t edge, std::uint32_t body, BodyStore& bodies)
-{
-    const std::uint32_t previous = contacts[edge / 2].previous[edge % 2];
-    const std::uint32_t next = contacts[edge / 2].next[edge % 2];
-    if (previous != null_index)
-        contacts[previous / 2].next[previous % 2] = next;
-    else
-        bodies.records[body].first_contact = next;
-    if (next != null_index) contacts[next / 2].previous[next % 2] = previous;
 }
 
 } // namespace carom::detail

@@ -72,7 +72,8 @@ struct ContactManifold
     std::array<ContactPointState, 2> points;
 };
 
-/// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The contacts of a body form a list of edges; edge 2 c is contact c seen from body A, 2 c + 1 from body B.
+/// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The
+/// contacts of a body form a list of edges (dynamics/edge_list.hpp).
 class ContactStore
 {
 public:
@@ -90,10 +91,6 @@ public:
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
     std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
-
-private:
-    void link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
-    void unlink(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
 };
 
 } // namespace carom::detail

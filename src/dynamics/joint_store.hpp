@@ -57,7 +57,7 @@ struct Joint
     float torque = 0;    ///< [N m]
 };
 
-/// All joints of a world. The joints of a body form a list of edges; edge 2 j is joint j seen from body A, 2 j + 1 from body B.
+/// All joints of a world. The joints of a body form a list of edges (dynamics/edge_list.hpp).
 class JointStore
 {
 public:
@@ -69,10 +69,6 @@ public:
 
     SlotPool slots;
     std::pmr::vector<Joint> joints;
-
-private:
-    void link(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
-    void unlink(std::uint32_t edge, std::uint32_t body, BodyStore& bodies);
 };
 
 /// Starts a joint cold.

@@ -1,5 +1,6 @@
 // Gravity against closed forms; Barnes-Hut against a direct sum in double, over many kinds of distributions.
 #include "fields/gravity.hpp"
+#include "math/random_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,6 @@
 #include <bit>
 #include <cstdio>
 #include <limits>
-#include <random>
 
 namespace carom::detail
 {
@@ -20,16 +20,6 @@ struct Cloud
     std::vector<float> mass;
 
     PointMasses sources() const { return {position, mass}; }
-};
-
-class Random
-{
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    float between(float low, float high) { return low + (high - low) * (static_cast<float>(engine_() >> 8) / 16777216.0f); }
-
-private:
-    std::mt19937 engine_;
 };
 
 Cloud even_cloud(std::size_t count, Vec2 center, float half_side)
