@@ -49,6 +49,13 @@ std::string shortened(std::string text)
     return text.substr(0, end) + "...";
 }
 
+/// The library's message without the name of its exception, "[json.exception.parse_error.101] ".
+std::string without_tag(const std::string& message)
+{
+    const std::size_t end = message.find("] ");
+    return message.starts_with('[') && end != std::string::npos ? message.substr(end + 2) : message;
+}
+
 std::vector<std::string> key_names(const scenes::SceneInfo& scene)
 {
     std::vector<std::string> names;
@@ -204,6 +211,8 @@ InputScript InputScript::parse(std::string_view text, const std::string& name, c
         if (depth > most_nested) throw BadUsage("--input: " + name + ": nested too deeply; an entry holds texts and numbers");
         return true;
     };
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        throw BadUsage("--input: " + name + ": the file is empty; write [ {\"step\": ...}, ... ]");
     json entries;
     try
     {
@@ -211,7 +220,7 @@ InputScript InputScript::parse(std::string_view text, const std::string& name, c
     }
     catch (const json::exception& error)
     {
-        throw BadUsage("--input: " + name + ": not JSON: " + shortened(error.what()));
+        throw BadUsage("--input: " + name + ": not JSON: " + shortened(without_tag(error.what())));
     }
     if (!entries.is_array()) throw BadUsage("--input: " + name + ": not an array; write [ {\"step\": ...}, ... ]");
 
@@ -232,10 +241,12 @@ void InputScript::apply(scenes::Scene& scene, int step) const
     }
 }
 
-std::size_t InputScript::size() const
+std::size_t InputScript::size() const { return count_from(0); }
+
+std::size_t InputScript::count_from(int step) const
 {
     std::size_t count = 0;
-    for (const auto& [step, events] : by_step_) count += events.size();
+    for (auto at = by_step_.lower_bound(step); at != by_step_.end(); ++at) count += at->second.size();
     return count;
 }
 

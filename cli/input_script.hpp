@@ -11,7 +11,7 @@
 //         {"step": 40, "key": "b"}
 //     ]
 //
-// Entries of one step happen in their order. Those past the end of a run are not reached.
+// Entries of one step happen in their order. Those past the end of a run are not reached; the command says how many.
 #pragma once
 
 #include "scenes/scene.hpp"
@@ -38,7 +38,8 @@ public:
 
     /// Gives the scene what happens before a step.
     void apply(scenes::Scene& scene, int step) const;
-    std::size_t size() const; ///< number of events
+    std::size_t size() const;               ///< number of events
+    std::size_t count_from(int step) const; ///< number of events before this step or a later one
 
 private:
     struct KeyPress

@@ -86,6 +86,22 @@ TEST(InputScript, refuses_steps_and_places_that_are_out_of_range)
     EXPECT_EQ(parse(R"([{"step": 1, "pointer": "move", "x": 10000, "y": -10000}])").size(), 1u);
 }
 
+TEST(InputScript, words_what_is_no_json)
+{
+    EXPECT_EQ(message_of(""), "--input: events.json: the file is empty; write [ {\"step\": ...}, ... ]");
+    EXPECT_EQ(message_of(" \n"), "--input: events.json: the file is empty; write [ {\"step\": ...}, ... ]");
+    EXPECT_EQ(message_of("[1,").find("--input: events.json: not JSON: parse error at line 1, column 4"), 0u) << message_of("[1,");
+}
+
+TEST(InputScript, counts_events_from_a_step_on)
+{
+    const InputScript script = parse(R"([{"step": 4, "key": "c"}, {"step": 9, "key": "c"}, {"step": 4, "key": "1"}])");
+    EXPECT_EQ(script.size(), 3u);
+    EXPECT_EQ(script.count_from(4), 3u);
+    EXPECT_EQ(script.count_from(5), 1u);
+    EXPECT_EQ(script.count_from(10), 0u);
+}
+
 TEST(InputScript, refuses_deep_nesting)
 {
     constexpr int depth = 200000;

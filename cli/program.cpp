@@ -84,13 +84,16 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
     command->callback([request, &surroundings] { run_command(*request, surroundings); });
 }
 
-/// CLI11's own words, but for a command that is missing or misnamed: it calls both a missing subcommand.
+/// CLI11's own words, but for a command that is missing or misnamed, or an option in its place: it calls all of them a missing subcommand.
 std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& arguments)
 {
     const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty();
     if (!lacks_command) return error.what();
-    const bool is_misnamed = !arguments.empty() && !arguments.front().starts_with('-');
-    return (is_misnamed ? "there is no command \"" + arguments.front() + "\"" : "a command is missing") + "; give scenes or run";
+    if (arguments.empty()) return "a command is missing; give scenes or run";
+    const std::string& first = arguments.front();
+    if (first.starts_with('-'))
+        return "there is no option \"" + first + "\" before a command; give scenes or run, and its options after it";
+    return "there is no command \"" + first + "\"; give scenes or run";
 }
 
 int report(const Surroundings& surroundings, const std::exception& error, int status)

@@ -126,6 +126,8 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         const char* message;
     } cases[] = {
         {{}, "a command is missing; give scenes or run"},
+        {{"--bogus"}, "there is no option \"--bogus\" before a command; give scenes or run, and its options after it"},
+        {{"--json", "scenes"}, "--json"},
         {{"walk"}, "there is no command \"walk\"; give scenes or run"},
         {{"run"}, "scene"},
         {{"run", "colisions"}, "did you mean collisions?"},
@@ -139,7 +141,7 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         {{"run", "gravity", "--set", "size"}, "give NAME=VALUE"},
         {{"run", "gravity", "--set", "size=9"}, "size: 9 is out of range; give a number from 0.2 to 5 m"},
         {{"run", "gravity", "--set", "sise=1"}, "did you mean size?"},
-        {{"run", "gravity", "--set", "=1"}, "no such parameter"},
+        {{"run", "gravity", "--set", "=1"}, "--set: \"=1\" has no name; give NAME=VALUE"},
         {{"run", "gravity", "--broadphase", "Octree"}, "one of Tree, Quadtree, QuadtreeNaive, BruteForce"},
         {{"run", "gravity", "--input", "/no/such/file"}, "/no/such/file"},
         {{"run", "gravity", "--still", "/no/such/folder/a.png"}, "/no/such/folder/a.png"},
@@ -171,6 +173,16 @@ TEST_F(Program, input_changes_the_run)
     std::ofstream(file("events.json")) << R"([{"step": 5, "key": "c"}])";
     const json run = json::parse(carom({"run", "gravity", "--steps", "10", "--json", "--input", file("events.json")}).out);
     EXPECT_EQ(run["bodies"], 1);
+}
+
+TEST_F(Program, says_how_many_input_events_come_too_late)
+{
+    std::ofstream(file("events.json")) << R"([{"step": 9, "key": "c"}, {"step": 10, "key": "c"}, {"step": 400, "key": "c"}])";
+    const Outcome outcome = carom({"run", "gravity", "--steps", "10", "--json", "--input", file("events.json")});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "carom: --input: 2 of 3 events come after the last step, 9, and were not used; give more --steps\n");
+    EXPECT_EQ(json::parse(outcome.out)["bodies"], 1);
+    EXPECT_EQ(carom({"run", "gravity", "--steps", "401", "--json", "--input", file("events.json")}).err, "");
 }
 
 TEST_F(Program, draws_a_still)

@@ -36,6 +36,7 @@ scenes::ParameterValues values_from(const RunRequest& request, const SceneInfo& 
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
         const std::string name = setting.substr(0, equals);
+        if (name.empty()) throw BadUsage("--set: \"" + setting + "\" has no name; give NAME=VALUE");
         values.emplace_back(name, parsed(find_parameter(scene.parameters, name), setting.substr(equals + 1)));
     }
     if (request.broad_phase)
@@ -141,6 +142,9 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
     }
     if (animation) animation->commit();
     job.progress.clear();
+    if (const std::size_t late = job.input.count_from(request.steps); late > 0)
+        surroundings.err << "carom: --input: " << late << " of " << job.input.size() << " events come after the last step, "
+                         << request.steps - 1 << ", and were not used; give more --steps\n";
     surroundings.out << (request.is_json ? run_json(*scene, result).dump(2) + "\n" : run_table(*scene, result));
 }
 

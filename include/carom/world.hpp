@@ -19,6 +19,7 @@
 #include <memory_resource>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace carom
@@ -239,7 +240,8 @@ public:
 
 private:
     friend class Character;
-    detail::WorldState& state() const;
+    /// @throws UsageError in the name of `function` once the world was moved from
+    detail::WorldState& state(std::string_view function) const;
 
     struct Destroy
     {

@@ -1,6 +1,7 @@
 // The only place where a step writes poses.
 #include "dynamics/finalize_bodies.hpp"
 
+#include "geometry/bounds.hpp"
 #include "memory/make_room.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodie
     for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
     {
         ShapeBounds& bounds = shapes.bounds[s];
-        const Aabb ends = merge(aabb_of(shapes.geometry[s], sweep.at(0)), bounds.tight);
+        const Aabb ends = merge(bounds_of(shapes.geometry[s], sweep.at(0)), bounds.tight);
         bounds.fat =
             expanded(turns ? merge(ends, expanded(around, reach)) : expanded(ends, std::abs(sweep.turn) * std::abs(sweep.turn) * reach),
                      linear_slop);
@@ -60,7 +61,7 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
     for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
     {
         ShapeBounds& bounds = shapes.bounds[s];
-        bounds.tight = aabb_of(shapes.geometry[s], transform);
+        bounds.tight = bounds_of(shapes.geometry[s], transform);
         if (contains(bounds.fat, bounds.tight)) continue;
         bounds.fat = fattened(bounds.tight, way);
         broad_phase.update(s, bounds.fat);

@@ -1,4 +1,5 @@
 // Makers of shapes, and what can be asked of a shape at a place: its bounds, and whether it holds a point.
+#include "geometry/bounds.hpp"
 #include "geometry/nearest.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/validate.hpp"
@@ -46,7 +47,7 @@ Polygon moved(const Polygon& polygon, const Transform& transform, std::string_vi
 
 Aabb bounds_around(Vec2 a, Vec2 b, float radius) { return expanded({min(a, b), max(a, b)}, radius); }
 
-Aabb bounds_of(const Polygon& polygon, const Transform& transform)
+Aabb bounds_of_polygon(const Polygon& polygon, const Transform& transform)
 {
     Vec2 lower = transform * polygon.vertices[0];
     Vec2 upper = lower;
@@ -123,13 +124,9 @@ Geometry transformed(const Geometry& geometry, const Transform& transform)
     return result;
 }
 
-Aabb aabb_of(const Geometry& geometry, const Transform& transform)
+Aabb detail::bounds_of(const Geometry& geometry, const Transform& transform)
 {
-    if (const Polygon* p = std::get_if<Polygon>(&geometry))
-    {
-        detail::require_vertex_count(*p, "aabb_of");
-        return bounds_of(*p, transform);
-    }
+    if (const Polygon* p = std::get_if<Polygon>(&geometry)) return bounds_of_polygon(*p, transform);
     if (const Circle* c = std::get_if<Circle>(&geometry))
     {
         const Vec2 center = transform * c->center;
@@ -140,20 +137,28 @@ Aabb aabb_of(const Geometry& geometry, const Transform& transform)
     return {transform.p, transform.p}; // a variant without a value: never made by this engine
 }
 
+bool detail::holds(const Geometry& geometry, Vec2 local_point)
+{
+    if (const Polygon* p = std::get_if<Polygon>(&geometry)) return nearest_on_polygon(*p, local_point).distance <= p->radius;
+    if (const Circle* c = std::get_if<Circle>(&geometry)) return distance(c->center, local_point) <= c->radius;
+    if (const Capsule* c = std::get_if<Capsule>(&geometry)) return nearest_on_segment(c->p1, c->p2, local_point).distance <= c->radius;
+    if (const Segment* s = std::get_if<Segment>(&geometry)) return nearest_on_segment(s->p1, s->p2, local_point).distance <= 0;
+    return false;
+}
+
+Aabb aabb_of(const Geometry& geometry, const Transform& transform)
+{
+    detail::validate(geometry, "aabb_of");
+    detail::require_finite("aabb_of", "transform.p", transform.p); // a body may have gone beyond max_coordinate
+    detail::validate_rotation(transform.q, "aabb_of", "transform");
+    return detail::bounds_of(geometry, transform);
+}
+
 bool contains(const Geometry& geometry, Vec2 local_point)
 {
-    if (const Polygon* p = std::get_if<Polygon>(&geometry))
-    {
-        detail::require_vertex_count(*p, "contains");
-        return detail::nearest_on_polygon(*p, local_point).distance <= p->radius;
-    }
-    if (const Circle* c = std::get_if<Circle>(&geometry)) return distance(c->center, local_point) <= c->radius;
-    if (const Capsule* c = std::get_if<Capsule>(&geometry))
-    {
-        return detail::nearest_on_segment(c->p1, c->p2, local_point).distance <= c->radius;
-    }
-    if (const Segment* s = std::get_if<Segment>(&geometry)) return detail::nearest_on_segment(s->p1, s->p2, local_point).distance <= 0;
-    return false;
+    detail::validate(geometry, "contains");
+    detail::require_finite("contains", "local_point", local_point);
+    return detail::holds(geometry, local_point);
 }
 
 } // namespace carom

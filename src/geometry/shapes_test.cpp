@@ -72,9 +72,12 @@ TEST(Shapes, OffsetBoxIsMovedAndTurned)
 
 TEST(Shapes, ErrorsNameTheArgument)
 {
-    EXPECT_EQ(message_of([] { circle(-0.5f); }), "circle: radius is -0.5; give a value greater than 0");
+    EXPECT_EQ(message_of([] { circle(-0.5f); }), "circle: radius is -0.5; give a value greater than 0 and not above 1e+06");
     EXPECT_EQ(message_of([] { circle(1, {0, not_a_number}); }), "circle: center.y is nan; give a finite center");
-    EXPECT_EQ(message_of([] { circle(2e6f); }), "circle: radius is 2e+06; give a value from 0 to 1e+06");
+    EXPECT_EQ(message_of([] { circle(2e6f); }), "circle: radius is 2e+06; give a value greater than 0 and not above 1e+06");
+    EXPECT_EQ(message_of([] { circle(not_a_number); }), "circle: radius is nan; give a finite radius");
+    EXPECT_EQ(message_of([] { convex_hull(std::array{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}, 2e6f); }),
+              "convex_hull: radius is 2e+06; give a value from 0 to 1e+06");
     EXPECT_EQ(message_of([] { capsule({1, 1}, {1, 1}, 1); }), "capsule: p2 is (1, 1); give ends that are at least 1 mm apart");
     EXPECT_EQ(message_of([] { segment({0, 0}, {infinity, 0}); }), "segment: p2.x is inf; give a finite p2");
     EXPECT_EQ(message_of([] { box(0, 1); }), "box: width is 0; give a value from 0.001 to 1e+06");

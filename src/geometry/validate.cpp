@@ -47,11 +47,9 @@ void check_radius(const Subject& subject, float radius, bool may_be_zero)
     const bool is_good = (may_be_zero ? radius >= 0 : radius > 0) && radius <= max_coordinate;
     if (is_good) return;
     const std::string field = subject.field("radius");
-    if (may_be_zero)
-        require_not_negative(subject.function, field, radius);
-    else
-        require_positive(subject.function, field, radius);
-    require_range(subject.function, field, radius, 0.0f, max_coordinate);
+    require_finite(subject.function, field, radius);
+    if (may_be_zero) require_range(subject.function, field, radius, 0.0f, max_coordinate);
+    usage_error(subject.function, field, radius, "give a value greater than 0 and not above 1e+06");
 }
 
 void check_ends(const Subject& subject, Vec2 p1, Vec2 p2)
@@ -182,18 +180,14 @@ void validate(const Transform& transform, std::string_view function, std::string
 {
     const Vec2 p = transform.p;
     if (!is_within_reach(p)) require_within(function, std::string(field) + ".p", p, max_coordinate);
-    const Rot q = transform.q;
+    validate_rotation(transform.q, function, field);
+}
+
+void validate_rotation(Rot q, std::string_view function, std::string_view field)
+{
     const float length2 = q.c * q.c + q.s * q.s;
     if (length2 > 0.999f && length2 < 1.001f) return;
     usage_error(function, std::string(field) + ".q", Vec2{q.c, q.s}, "give a unit rotation, as rotation() makes");
-}
-
-void require_vertex_count(const Polygon& polygon, std::string_view function)
-{
-    if (polygon.count < 3 || polygon.count > max_polygon_vertices) [[unlikely]]
-    {
-        require_range(function, "polygon.count", polygon.count, 3, max_polygon_vertices);
-    }
 }
 
 } // namespace carom::detail

@@ -28,8 +28,8 @@ void validate(const Polygon& polygon, std::string_view function, std::string_vie
 /// @param field the argument's name
 void validate(const Transform& transform, std::string_view function, std::string_view field);
 
-/// Only what keeps loops within the arrays; for calls that are too frequent for a full check.
-/// @throws UsageError
-void require_vertex_count(const Polygon& polygon, std::string_view function);
+/// A unit rotation, that of a transform.
+/// @param field the transform's name
+void validate_rotation(Rot q, std::string_view function, std::string_view field);
 
 } // namespace carom::detail

@@ -3,6 +3,7 @@
 
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/one_sided.hpp"
+#include "geometry/bounds.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 #include "memory/make_room.hpp"
@@ -443,7 +444,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
         for (std::uint32_t s = bodies.records[mover.body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
         {
             ShapeBounds& bounds = shapes.bounds[s];
-            bounds.tight = aabb_of(shapes.geometry[s], bodies.poses[mover.body].transform);
+            bounds.tight = bounds_of(shapes.geometry[s], bodies.poses[mover.body].transform);
             bounds.fat = fattened(bounds.tight, ahead);
             broad_phase.update(s, bounds.fat);
             shapes.mark_moved(s);

@@ -42,6 +42,7 @@ float BodyView::angular_velocity() const { return world_->bodies.spin(require_bo
 Vec2 BodyView::velocity_at(Vec2 world_point) const
 {
     const std::uint32_t body = require_body(*world_, id_, "velocity_at");
+    detail::require_finite("velocity_at", "world_point", world_point);
     return world_->bodies.velocity(body) + cross(world_->bodies.spin(body), world_point - world_->bodies.poses[body].center);
 }
 

@@ -210,7 +210,7 @@ void Character::set_position(Vec2 position)
 
 Vec2 Character::move(World& world, Vec2 velocity, float dt)
 {
-    detail::require_queryable(world.state(), "move");
+    detail::require_queryable(world.state("move"), "move");
     detail::require_within("move", "velocity", velocity, max_speed);
     detail::require_range("move", "dt", dt, 1e-6f, 1.0f);
     return CharacterMove(*this, world, velocity, dt).run();

@@ -1,6 +1,7 @@
 // How far a character can go, and along what: casts, the planes that it touches, slides and steps.
 #include "world/character_move.hpp"
 
+#include "geometry/bounds.hpp"
 #include "geometry/manifold.hpp"
 
 #include <utility>
@@ -45,7 +46,7 @@ void CharacterMove::find_planes(float margin)
             *std::max_element(planes_.begin(), planes_.end(), [](const Plane& a, const Plane& b) { return a.separation < b.separation; });
         if (plane.separation < shallowest.separation) shallowest = plane;
     };
-    const Aabb box = expanded(aabb_of(skinned_, here()), margin);
+    const Aabb box = expanded(detail::bounds_of(skinned_, here()), margin);
     const Vec2 limit = {max_coordinate, max_coordinate};
     world_.visit_overlapping(Aabb{max(-limit, min(limit, box.min)), max(-limit, min(limit, box.max))}, look, filter(def_.filter.predicate));
 }

@@ -55,21 +55,21 @@ void copy_state(WorldState& to, const WorldState& from)
 
 World World::copy(std::pmr::memory_resource* memory) const
 {
-    const WorldState& from = state();
+    const WorldState& from = state("copy");
     detail::require_idle(from, "copy");
     World result({.gravity = from.gravity, .memory = memory ? memory : &from.memory.upstream()});
-    copy_state(result.state(), from);
+    copy_state(result.state("copy"), from);
     return result;
 }
 
 void World::restore(const World& saved)
 {
-    WorldState& to = state();
+    WorldState& to = state("restore");
     detail::require_idle(to, "restore");
-    detail::require_idle(saved.state(), "restore");
-    if (&saved != this) copy_state(to, saved.state());
+    detail::require_idle(saved.state("restore"), "restore");
+    if (&saved != this) copy_state(to, saved.state("restore"));
 }
 
-std::uint32_t World::number() const { return state().world; }
+std::uint32_t World::number() const { return state("number").world; }
 
 } // namespace carom

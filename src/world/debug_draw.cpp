@@ -37,7 +37,7 @@ void draw_contacts(const detail::WorldState& world, DebugDraw& visitor)
 
 void World::debug_draw(DebugDraw& visitor) const
 {
-    const detail::WorldState& world = state();
+    const detail::WorldState& world = state("debug_draw");
     std::vector<detail::BroadPhaseNode> nodes;
     world.broad_phase->list_nodes(nodes);
     for (const detail::BroadPhaseNode& node : nodes) visitor.broad_phase_node(node.bounds, node.depth);

@@ -4,6 +4,7 @@
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/mix_materials.hpp"
+#include "geometry/bounds.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
@@ -28,7 +29,7 @@ void insert_proxy(WorldState& world, std::uint32_t shape)
 {
     const std::uint32_t body = world.shapes.records[shape].body;
     ShapeBounds& bounds = world.shapes.bounds[shape];
-    bounds.tight = aabb_of(world.shapes.geometry[shape], world.bodies.poses[body].transform);
+    bounds.tight = detail::bounds_of(world.shapes.geometry[shape], world.bodies.poses[body].transform);
     bounds.fat = fattened(bounds.tight, {});
     world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
     world.shapes.mark_moved(shape);
@@ -119,7 +120,7 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
     if (world.bodies.records[body].is_enabled)
         insert_proxy(world, shape);
     else
-        world.shapes.bounds[shape].tight = aabb_of(stored, world.bodies.poses[body].transform);
+        world.shapes.bounds[shape].tight = detail::bounds_of(stored, world.bodies.poses[body].transform);
     without_proxy.dismiss();
 
     link_shape(world, body, shape);
@@ -261,8 +262,8 @@ void set_body_transform(WorldState& world, std::uint32_t body, const Transform& 
     if (world.bodies.records[body].is_enabled)
         refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
     else
-        for_each_shape(world, body,
-                       [&](std::uint32_t shape) { world.shapes.bounds[shape].tight = aabb_of(world.shapes.geometry[shape], transform); });
+        for_each_shape(world, body, [&](std::uint32_t shape)
+        { world.shapes.bounds[shape].tight = detail::bounds_of(world.shapes.geometry[shape], transform); });
 }
 
 void refresh_mass(WorldState& world, std::uint32_t body)

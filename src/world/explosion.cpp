@@ -59,7 +59,7 @@ bool push_shape(WorldState& world, std::uint32_t shape, const ExplosionDef& def)
 
 int World::explode(const ExplosionDef& def)
 {
-    WorldState& world = state();
+    WorldState& world = state("explode");
     detail::require_idle(world, "explode");
     detail::require_within("explode", "center", def.center, max_coordinate);
     detail::require_range("explode", "radius", def.radius, 0, max_coordinate);

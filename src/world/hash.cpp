@@ -202,7 +202,7 @@ void add_fields(Hasher& hasher, const detail::FieldStore& fields)
 
 std::uint64_t World::hash() const
 {
-    const detail::WorldState& world = state();
+    const detail::WorldState& world = state("hash");
     Hasher hasher;
     hasher.add_all(world.step_count, world.gravity, world.last_substep);
     if (world.rules.mixing != MaterialMixing{})

@@ -52,7 +52,7 @@ Transform seen_from(const Transform& body, Vec2 point, Rot axis) { return {inver
 
 JointId World::create_joint(const JointDef& def, const JointSpec& spec)
 {
-    WorldState& world = state();
+    WorldState& world = state("create_joint");
     require_idle(world, "create_joint");
     detail::validate(world, def, "create_joint");
     detail::validate(spec, "create_joint");
@@ -62,63 +62,67 @@ JointId World::create_joint(const JointDef& def, const JointSpec& spec)
 
 void World::destroy_joint(JointId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("destroy_joint");
     require_idle(world, "destroy_joint");
     detail::destroy_joint(world, require_joint(world, id, "destroy_joint"));
 }
 
 JointDef World::joint_at(BodyId a, BodyId b, Vec2 point, float axis) const
 {
+    const WorldState& world = state("joint_at");
     detail::require_within("joint_at", "point", point, max_coordinate);
     detail::require_finite("joint_at", "axis", axis);
     const Rot q = rotation(axis);
     return {.body_a = a,
             .body_b = b,
-            .frame_a = seen_from(place_of(state(), a, "joint_at", "a"), point, q),
-            .frame_b = seen_from(place_of(state(), b, "joint_at", "b"), point, q)};
+            .frame_a = seen_from(place_of(world, a, "joint_at", "a"), point, q),
+            .frame_b = seen_from(place_of(world, b, "joint_at", "b"), point, q)};
 }
 
 JointDef World::joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) const
 {
+    const WorldState& world = state("joint_between");
     detail::require_within("joint_between", "point_a", point_a, max_coordinate);
     detail::require_within("joint_between", "point_b", point_b, max_coordinate);
     const Vec2 along = normalize(point_b - point_a);
     const Rot q = along == Vec2{} ? Rot{} : Rot{along.x, along.y};
     return {.body_a = a,
             .body_b = b,
-            .frame_a = seen_from(place_of(state(), a, "joint_between", "a"), point_a, q),
-            .frame_b = seen_from(place_of(state(), b, "joint_between", "b"), point_b, q)};
+            .frame_a = seen_from(place_of(world, a, "joint_between", "a"), point_a, q),
+            .frame_b = seen_from(place_of(world, b, "joint_between", "b"), point_b, q)};
 }
 
 Joint World::joint(JointId id)
 {
-    require_joint(state(), id, "joint");
-    return {state(), id};
+    WorldState& world = state("joint");
+    require_joint(world, id, "joint");
+    return {world, id};
 }
 
 JointView World::joint(JointId id) const
 {
-    require_joint(state(), id, "joint");
-    return {state(), id};
+    WorldState& world = state("joint");
+    require_joint(world, id, "joint");
+    return {world, id};
 }
 
 std::optional<Joint> World::find_joint(JointId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("find_joint");
     if (id.world != world.world || !world.joints.slots.is_live(id.index, id.generation)) return std::nullopt;
     return Joint(world, id);
 }
 
 std::optional<JointView> World::find_joint(JointId id) const
 {
-    WorldState& world = state();
+    WorldState& world = state("find_joint");
     if (id.world != world.world || !world.joints.slots.is_live(id.index, id.generation)) return std::nullopt;
     return JointView(world, id);
 }
 
 std::vector<JointId> World::joints() const
 {
-    const WorldState& world = state();
+    const WorldState& world = state("joints");
     std::vector<JointId> ids;
     ids.reserve(static_cast<std::size_t>(world.joints.slots.live_count()));
     for (std::uint32_t slot = 0; slot < world.joints.slots.size(); ++slot)
@@ -128,7 +132,7 @@ std::vector<JointId> World::joints() const
 
 std::vector<JointId> World::joints_of(BodyId body) const
 {
-    const WorldState& world = state();
+    const WorldState& world = state("joints_of");
     std::vector<JointId> ids;
     std::uint32_t edge = world.bodies.records[detail::require_body(world, body, "joints_of")].first_joint;
     for (; edge != null_index; edge = world.joints.joints[edge / 2].next[edge % 2]) ids.push_back(joint_id(world, edge / 2));
@@ -136,7 +140,7 @@ std::vector<JointId> World::joints_of(BodyId body) const
     return ids;
 }
 
-int World::joint_count() const { return state().joints.slots.live_count(); }
+int World::joint_count() const { return state("joint_count").joints.slots.live_count(); }
 
 // ---- reading ----
 

@@ -1,4 +1,5 @@
 // The queries of a world. Each asks the broad phase for what is near, and then the geometry.
+#include "geometry/bounds.hpp"
 #include "geometry/cast.hpp"
 #include "geometry/validate.hpp"
 #include "world/query_walk.hpp"
@@ -55,7 +56,7 @@ struct ShapeCaster
     Transform start;
     Vec2 sweep;
 
-    detail::BoxSweep bounds() const { return {expanded(aabb_of(geometry, start), detail::touch_distance), sweep}; }
+    detail::BoxSweep bounds() const { return {expanded(detail::bounds_of(geometry, start), detail::touch_distance), sweep}; }
     std::optional<detail::CastResult> operator()(const WorldState& world, std::uint32_t shape) const
     {
         const Transform& transform = detail::transform_of(world, shape);
@@ -153,7 +154,7 @@ void visit_in_shape(WorldState& world, std::string_view function, const Geometry
     detail::require_queryable(world, function);
     detail::validate(geometry, function);
     detail::validate(transform, function, "transform");
-    const Aabb box = expanded(aabb_of(geometry, transform), detail::touch_distance);
+    const Aabb box = expanded(detail::bounds_of(geometry, transform), detail::touch_distance);
     detail::for_each_near(world, box, filter, [&](std::uint32_t shape)
     {
         const Transform in_shape = relative(detail::transform_of(world, shape), transform);
@@ -169,7 +170,7 @@ void visit_at(WorldState& world, std::string_view function, Vec2 point, const Qu
     detail::for_each_near(world, {point, point}, filter, [&](std::uint32_t shape)
     {
         const Vec2 local = inverse_transform(detail::transform_of(world, shape), point);
-        return !contains(world.shapes.geometry[shape], local) || visit(shape);
+        return !detail::holds(world.shapes.geometry[shape], local) || visit(shape);
     });
 }
 
@@ -217,17 +218,19 @@ std::optional<NearestPoint> nearest_within(WorldState& world, Vec2 point, float 
 
 std::optional<RayHit> World::cast_ray(Vec2 start, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_ray");
+    WorldState& world = state("cast_ray");
+    detail::require_queryable(world, "cast_ray");
     validate_ray("cast_ray", start, sweep);
-    return first_hit(state(), RayCaster{start, sweep}, filter);
+    return first_hit(world, RayCaster{start, sweep}, filter);
 }
 
 bool World::is_ray_blocked(Vec2 start, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "is_ray_blocked");
+    WorldState& world = state("is_ray_blocked");
+    detail::require_queryable(world, "is_ray_blocked");
     validate_ray("is_ray_blocked", start, sweep);
     bool is_blocked = false;
-    cast(state(), RayCaster{start, sweep}, filter, [&is_blocked](const CastHit&)
+    cast(world, RayCaster{start, sweep}, filter, [&is_blocked](const CastHit&)
     {
         is_blocked = true;
         return -1.0f;
@@ -237,87 +240,99 @@ bool World::is_ray_blocked(Vec2 start, Vec2 sweep, const QueryFilter& filter) co
 
 std::vector<RayHit> World::cast_ray_all(Vec2 start, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_ray_all");
+    WorldState& world = state("cast_ray_all");
+    detail::require_queryable(world, "cast_ray_all");
     validate_ray("cast_ray_all", start, sweep);
-    return all_hits(state(), RayCaster{start, sweep}, filter);
+    return all_hits(world, RayCaster{start, sweep}, filter);
 }
 
 void World::cast_rays(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_rays");
+    WorldState& world = state("cast_rays");
+    detail::require_queryable(world, "cast_rays");
     if (hits.size() != rays.size()) detail::usage_error("cast_rays", "hits.size()", hits.size(), "give as many hits as rays");
     for (const Ray& ray : rays) validate_ray("cast_rays", ray.start, ray.sweep);
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(state(), RayCaster{rays[i].start, rays[i].sweep}, filter);
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(world, RayCaster{rays[i].start, rays[i].sweep}, filter);
 }
 
 std::optional<CastHit> World::cast_shape(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_shape");
-    return first_hit(state(), shape_caster("cast_shape", geometry, start, sweep), filter);
+    WorldState& world = state("cast_shape");
+    detail::require_queryable(world, "cast_shape");
+    return first_hit(world, shape_caster("cast_shape", geometry, start, sweep), filter);
 }
 
 std::optional<CastHit> World::cast_circle(Vec2 center, float radius, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_circle");
+    WorldState& world = state("cast_circle");
+    detail::require_queryable(world, "cast_circle");
     detail::require_within("cast_circle", "center", center, max_coordinate);
     detail::require_range("cast_circle", "radius", radius, 0.001f, max_coordinate);
     const Geometry geometry = Circle{{}, radius};
-    return first_hit(state(), shape_caster("cast_circle", geometry, {center, {}}, sweep), filter);
+    return first_hit(world, shape_caster("cast_circle", geometry, {center, {}}, sweep), filter);
 }
 
 std::vector<CastHit> World::cast_shape_all(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "cast_shape_all");
-    return all_hits(state(), shape_caster("cast_shape_all", geometry, start, sweep), filter);
+    WorldState& world = state("cast_shape_all");
+    detail::require_queryable(world, "cast_shape_all");
+    return all_hits(world, shape_caster("cast_shape_all", geometry, start, sweep), filter);
 }
 
 std::vector<ShapeId> World::overlapping(const Aabb& box, const QueryFilter& filter) const
 {
+    WorldState& world = state("overlapping");
     std::vector<ShapeId> ids;
-    visit_in_box(state(), "overlapping", box, filter, to_list(state(), ids));
+    visit_in_box(world, "overlapping", box, filter, to_list(world, ids));
     return ids;
 }
 
 std::vector<ShapeId> World::overlapping(const Geometry& geometry, const Transform& transform, const QueryFilter& filter) const
 {
+    WorldState& world = state("overlapping");
     std::vector<ShapeId> ids;
-    visit_in_shape(state(), "overlapping", geometry, transform, filter, to_list(state(), ids));
+    visit_in_shape(world, "overlapping", geometry, transform, filter, to_list(world, ids));
     return ids;
 }
 
 std::vector<ShapeId> World::shapes_at(Vec2 point, const QueryFilter& filter) const
 {
+    WorldState& world = state("shapes_at");
     std::vector<ShapeId> ids;
-    visit_at(state(), "shapes_at", point, filter, to_list(state(), ids));
+    visit_at(world, "shapes_at", point, filter, to_list(world, ids));
     return ids;
 }
 
 void World::visit_overlapping(const Aabb& box, ShapeVisitor visit, const QueryFilter& filter) const
 {
-    visit_in_box(state(), "visit_overlapping", box, filter, to_ids(state(), visit));
+    WorldState& world = state("visit_overlapping");
+    visit_in_box(world, "visit_overlapping", box, filter, to_ids(world, visit));
 }
 
 void World::visit_overlapping(const Geometry& geometry, const Transform& transform, ShapeVisitor visit, const QueryFilter& filter) const
 {
-    visit_in_shape(state(), "visit_overlapping", geometry, transform, filter, to_ids(state(), visit));
+    WorldState& world = state("visit_overlapping");
+    visit_in_shape(world, "visit_overlapping", geometry, transform, filter, to_ids(world, visit));
 }
 
 void World::visit_shapes_at(Vec2 point, ShapeVisitor visit, const QueryFilter& filter) const
 {
-    visit_at(state(), "visit_shapes_at", point, filter, to_ids(state(), visit));
+    WorldState& world = state("visit_shapes_at");
+    visit_at(world, "visit_shapes_at", point, filter, to_ids(world, visit));
 }
 
 std::optional<NearestPoint> World::closest_point(Vec2 point, float max_distance, const QueryFilter& filter) const
 {
-    detail::require_queryable(state(), "closest_point");
+    WorldState& world = state("closest_point");
+    detail::require_queryable(world, "closest_point");
     detail::require_within("closest_point", "point", point, max_coordinate);
     detail::require_range("closest_point", "max_distance", max_distance, 0, 4 * max_coordinate);
     // As a rule something is near, however far the caller would look.
     constexpr float first_look = 0.5f; // [m]
     constexpr float growth = 3;
     for (float reach = first_look; reach < max_distance; reach *= growth)
-        if (const std::optional<NearestPoint> nearest = nearest_within(state(), point, reach, filter)) return nearest;
-    return nearest_within(state(), point, max_distance, filter);
+        if (const std::optional<NearestPoint> nearest = nearest_within(world, point, reach, filter)) return nearest;
+    return nearest_within(world, point, max_distance, filter);
 }
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #include <carom/body.hpp>
 
 #include "dynamics/narrow_phase.hpp"
+#include "geometry/bounds.hpp"
 #include "geometry/validate.hpp"
 #include "world/chain_edits.hpp"
 #include "world/edits.hpp"
@@ -61,8 +62,9 @@ std::uint64_t ShapeView::user_data() const { return world_->shapes.records[requi
 bool ShapeView::contains(Vec2 world_point) const
 {
     const std::uint32_t shape = require_shape(*world_, id_, "contains");
+    detail::require_finite("contains", "world_point", world_point);
     const Transform& transform = world_->bodies.poses[world_->shapes.records[shape].body].transform;
-    return carom::contains(world_->shapes.geometry[shape], inverse_transform(transform, world_point));
+    return detail::holds(world_->shapes.geometry[shape], inverse_transform(transform, world_point));
 }
 
 std::vector<ShapeId> ShapeView::touching() const
@@ -105,7 +107,7 @@ void Shape::set_geometry(const Geometry& geometry)
     if (world_->bodies.records[body].is_enabled)
         detail::renew_proxy(*world_, shape);
     else
-        world_->shapes.bounds[shape].tight = aabb_of(geometry, world_->bodies.poses[body].transform);
+        world_->shapes.bounds[shape].tight = detail::bounds_of(geometry, world_->bodies.poses[body].transform);
     // Features of the old geometry mean nothing on the new one.
     for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
     {

@@ -56,16 +56,16 @@ void World::Destroy::operator()(WorldState* state) const
     allocator.delete_object(state);
 }
 
-WorldState& World::state() const
+WorldState& World::state(std::string_view function) const
 {
     if (!state_) [[unlikely]]
-        detail::usage_error("World", "world", std::string_view("moved from"), "use the world that it was moved to");
+        detail::usage_error(function, "world", std::string_view("moved from"), "use the world that it was moved to");
     return *state_;
 }
 
 BodyId World::create_body(const BodyDef& def)
 {
-    WorldState& world = state();
+    WorldState& world = state("create_body");
     require_idle(world, "create_body");
     detail::validate(def, "create_body");
     const std::uint32_t body = detail::create_body(world, def);
@@ -74,7 +74,7 @@ BodyId World::create_body(const BodyDef& def)
 
 BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape)
 {
-    WorldState& world = state();
+    WorldState& world = state("create_body");
     require_idle(world, "create_body");
     detail::validate(def, "create_body");
     detail::validate(geometry, "create_body");
@@ -92,14 +92,14 @@ BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const Sh
 
 void World::destroy_body(BodyId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("destroy_body");
     require_idle(world, "destroy_body");
     detail::destroy_body(world, require_body(world, id, "destroy_body"));
 }
 
 ShapeId World::create_shape(BodyId id, const Geometry& geometry, const ShapeDef& def)
 {
-    WorldState& world = state();
+    WorldState& world = state("create_shape");
     require_idle(world, "create_shape");
     const std::uint32_t body = require_body(world, id, "create_shape");
     detail::validate(geometry, "create_shape");
@@ -110,7 +110,7 @@ ShapeId World::create_shape(BodyId id, const Geometry& geometry, const ShapeDef&
 
 void World::destroy_shape(ShapeId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("destroy_shape");
     require_idle(world, "destroy_shape");
     const std::uint32_t shape = require_shape(world, id, "destroy_shape");
     detail::require_no_segment(world, shape, "destroy_shape", "destroy the chain");
@@ -119,7 +119,7 @@ void World::destroy_shape(ShapeId id)
 
 ChainId World::create_chain(BodyId id, const ChainDef& def)
 {
-    WorldState& world = state();
+    WorldState& world = state("create_chain");
     require_idle(world, "create_chain");
     const std::uint32_t body = require_body(world, id, "create_chain");
     detail::validate(def, "create_chain");
@@ -129,92 +129,98 @@ ChainId World::create_chain(BodyId id, const ChainDef& def)
 
 void World::destroy_chain(ChainId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("destroy_chain");
     require_idle(world, "destroy_chain");
     detail::destroy_chain(world, detail::require_chain(world, id, "destroy_chain"));
 }
 
 Body World::body(BodyId id)
 {
-    require_body(state(), id, "body");
-    return {state(), id};
+    WorldState& world = state("body");
+    require_body(world, id, "body");
+    return {world, id};
 }
 
 BodyView World::body(BodyId id) const
 {
-    require_body(state(), id, "body");
-    return {state(), id};
+    WorldState& world = state("body");
+    require_body(world, id, "body");
+    return {world, id};
 }
 
 std::optional<Body> World::find_body(BodyId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("find_body");
     if (id.world != world.world || !world.bodies.slots.is_live(id.index, id.generation)) return std::nullopt;
     return Body(world, id);
 }
 
 std::optional<BodyView> World::find_body(BodyId id) const
 {
-    WorldState& world = state();
+    WorldState& world = state("find_body");
     if (id.world != world.world || !world.bodies.slots.is_live(id.index, id.generation)) return std::nullopt;
     return BodyView(world, id);
 }
 
 Shape World::shape(ShapeId id)
 {
-    require_shape(state(), id, "shape");
-    return {state(), id};
+    WorldState& world = state("shape");
+    require_shape(world, id, "shape");
+    return {world, id};
 }
 
 ShapeView World::shape(ShapeId id) const
 {
-    require_shape(state(), id, "shape");
-    return {state(), id};
+    WorldState& world = state("shape");
+    require_shape(world, id, "shape");
+    return {world, id};
 }
 
 std::optional<Shape> World::find_shape(ShapeId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("find_shape");
     if (id.world != world.world || !world.shapes.slots.is_live(id.index, id.generation)) return std::nullopt;
     return Shape(world, id);
 }
 
 std::optional<ShapeView> World::find_shape(ShapeId id) const
 {
-    WorldState& world = state();
+    WorldState& world = state("find_shape");
     if (id.world != world.world || !world.shapes.slots.is_live(id.index, id.generation)) return std::nullopt;
     return ShapeView(world, id);
 }
 
 Chain World::chain(ChainId id)
 {
-    detail::require_chain(state(), id, "chain");
-    return {state(), id};
+    WorldState& world = state("chain");
+    detail::require_chain(world, id, "chain");
+    return {world, id};
 }
 
 ChainView World::chain(ChainId id) const
 {
-    detail::require_chain(state(), id, "chain");
-    return {state(), id};
+    WorldState& world = state("chain");
+    detail::require_chain(world, id, "chain");
+    return {world, id};
 }
 
 std::optional<Chain> World::find_chain(ChainId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("find_chain");
     if (id.world != world.world || !world.chains.slots.is_live(id.index, id.generation)) return std::nullopt;
     return Chain(world, id);
 }
 
 std::optional<ChainView> World::find_chain(ChainId id) const
 {
-    WorldState& world = state();
+    WorldState& world = state("find_chain");
     if (id.world != world.world || !world.chains.slots.is_live(id.index, id.generation)) return std::nullopt;
     return ChainView(world, id);
 }
 
 std::vector<BodyId> World::bodies() const
 {
-    const WorldState& world = state();
+    const WorldState& world = state("bodies");
     std::vector<BodyId> ids;
     ids.reserve(static_cast<std::size_t>(world.bodies.slots.live_count()));
     for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot)
@@ -222,11 +228,11 @@ std::vector<BodyId> World::bodies() const
     return ids;
 }
 
-Vec2 World::gravity() const { return state().gravity; }
+Vec2 World::gravity() const { return state("gravity").gravity; }
 
 void World::set_gravity(Vec2 gravity)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_gravity");
     require_idle(world, "set_gravity");
     detail::require_within("set_gravity", "gravity", gravity, detail::max_factor);
     if (world.gravity == gravity) return;
@@ -236,7 +242,7 @@ void World::set_gravity(Vec2 gravity)
 
 FieldId World::add_field(const Field& field)
 {
-    WorldState& world = state();
+    WorldState& world = state("add_field");
     require_idle(world, "add_field");
     detail::validate(field, "add_field");
     detail::make_room(world.fields.fields, world.fields.fields.size() + 1);
@@ -251,7 +257,7 @@ FieldId World::add_field(const Field& field)
 
 void World::set_field(FieldId id, const Field& field)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_field");
     require_idle(world, "set_field");
     const std::uint32_t slot = detail::require_field(world, id, "set_field");
     detail::validate(field, "set_field");
@@ -262,7 +268,7 @@ void World::set_field(FieldId id, const Field& field)
 
 void World::remove_field(FieldId id)
 {
-    WorldState& world = state();
+    WorldState& world = state("remove_field");
     require_idle(world, "remove_field");
     world.fields.slots.release(detail::require_field(world, id, "remove_field"));
     detail::wake_all(world);
@@ -270,15 +276,17 @@ void World::remove_field(FieldId id)
 
 Vec2 World::gravity_at(Vec2 point) const
 {
+    const WorldState& world = state("gravity_at");
     detail::require_within("gravity_at", "point", point, max_coordinate);
-    return state().gravity + detail::FieldForces::at_point(state().fields, state().bodies, point);
+    return world.gravity + detail::FieldForces::at_point(world.fields, world.bodies, point);
 }
 
 StepReport World::step(float dt, int substeps)
 {
-    WorldState& world = state();
+    WorldState& world = state("step");
     require_idle(world, "step");
-    if (dt != 0) detail::require_range("step", "dt", dt, 1e-6f, 1.0f);
+    const bool is_good_dt = dt == 0 || (dt >= 1e-6f && dt <= 1); // false for NaN
+    if (!is_good_dt) detail::usage_error("step", "dt", dt, "give 0, or a value from 1e-06 to 1");
     detail::require_range("step", "substeps", substeps, 1, 64);
     const StepGuard guard(world.is_stepping);
     world.is_broken = true; // unless the step comes to its end
@@ -289,14 +297,14 @@ StepReport World::step(float dt, int substeps)
 
 Events World::events() const
 {
-    const detail::EventBuffers& events = state().events;
+    const detail::EventBuffers& events = state("events").events;
     return {events.contact_begin,  events.contact_persist, events.contact_end, events.contact_hit, events.sensor_begin,
             events.sensor_persist, events.sensor_end,      events.joint_break, events.fell_asleep, events.woke};
 }
 
 Manifold World::manifold(ShapeId a, ShapeId b) const
 {
-    const WorldState& world = state();
+    const WorldState& world = state("manifold");
     const std::uint32_t shape_a = require_shape(world, a, "manifold");
     const std::uint32_t shape_b = require_shape(world, b, "manifold");
     std::uint32_t edge = world.bodies.records[world.shapes.records[shape_a].body].first_contact;
@@ -317,33 +325,33 @@ Manifold World::manifold(ShapeId a, ShapeId b) const
     return {};
 }
 
-BroadPhaseType World::broad_phase() const { return state().broad_phase->type(); }
+BroadPhaseType World::broad_phase() const { return state("broad_phase").broad_phase->type(); }
 
-BroadPhaseOptions World::broad_phase_options() const { return state().broad_phase_options; }
+BroadPhaseOptions World::broad_phase_options() const { return state("broad_phase_options").broad_phase_options; }
 
 void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_broad_phase");
     require_idle(world, "set_broad_phase");
     detail::validate(type, options, "set_broad_phase");
     detail::set_broad_phase(world, type, options);
 }
 
-SolverTuning World::solver_tuning() const { return state().tuning; }
+SolverTuning World::solver_tuning() const { return state("solver_tuning").tuning; }
 
 void World::set_solver_tuning(const SolverTuning& tuning)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_solver_tuning");
     require_idle(world, "set_solver_tuning");
     detail::validate(tuning, "set_solver_tuning");
     world.tuning = tuning;
 }
 
-SleepTuning World::sleep_tuning() const { return state().sleep; }
+SleepTuning World::sleep_tuning() const { return state("sleep_tuning").sleep; }
 
 void World::set_sleep_tuning(const SleepTuning& tuning)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_sleep_tuning");
     require_idle(world, "set_sleep_tuning");
     detail::validate(tuning, "set_sleep_tuning");
     world.sleep = tuning;
@@ -352,25 +360,27 @@ void World::set_sleep_tuning(const SleepTuning& tuning)
 
 void World::wake_all()
 {
-    require_idle(state(), "wake_all");
-    detail::wake_all(state());
+    WorldState& world = state("wake_all");
+    require_idle(world, "wake_all");
+    detail::wake_all(world);
 }
 
-bool World::is_continuous() const { return state().is_continuous; }
+bool World::is_continuous() const { return state("is_continuous").is_continuous; }
 
 void World::set_continuous(bool continuous)
 {
-    require_idle(state(), "set_continuous");
-    state().is_continuous = continuous;
+    WorldState& world = state("set_continuous");
+    require_idle(world, "set_continuous");
+    world.is_continuous = continuous;
 }
 
-int World::awake_body_count() const { return static_cast<int>(state().bodies.motions.size()) - 1; }
+int World::awake_body_count() const { return static_cast<int>(state("awake_body_count").bodies.motions.size()) - 1; }
 
-MaterialMixing World::mixing() const { return state().rules.mixing; }
+MaterialMixing World::mixing() const { return state("mixing").rules.mixing; }
 
 void World::set_mixing(const MaterialMixing& mixing)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_mixing");
     require_idle(world, "set_mixing");
     detail::validate(mixing, "set_mixing");
     world.rules.mixing = mixing;
@@ -378,30 +388,30 @@ void World::set_mixing(const MaterialMixing& mixing)
     detail::mix_all_again(world);
 }
 
-float World::hit_speed() const { return state().rules.hit_speed; }
+float World::hit_speed() const { return state("hit_speed").rules.hit_speed; }
 
 void World::set_hit_speed(float speed)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_hit_speed");
     require_idle(world, "set_hit_speed");
     detail::validate_hit_speed(speed, "set_hit_speed");
     world.rules.hit_speed = speed;
 }
 
-ContactHooks* World::hooks() const { return state().rules.hooks; }
+ContactHooks* World::hooks() const { return state("hooks").rules.hooks; }
 
 void World::set_hooks(ContactHooks* hooks)
 {
-    WorldState& world = state();
+    WorldState& world = state("set_hooks");
     require_idle(world, "set_hooks");
     world.rules.hooks = hooks;
     detail::mix_all_again(world);
 }
 
-int World::body_count() const { return state().bodies.slots.live_count(); }
+int World::body_count() const { return state("body_count").bodies.slots.live_count(); }
 
-int World::shape_count() const { return state().shapes.slots.live_count(); }
+int World::shape_count() const { return state("shape_count").shapes.slots.live_count(); }
 
-std::uint64_t World::step_count() const { return state().step_count; }
+std::uint64_t World::step_count() const { return state("step_count").step_count; }
 
 } // namespace carom

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <set>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -132,6 +133,24 @@ TEST(World, AMovedFromWorldRefusesAndMayBeGivenAnother)
     EXPECT_THROW(first.events(), UsageError);
     EXPECT_THROW(first.hash(), UsageError);
     EXPECT_THROW(first.gravity(), UsageError);
+    const auto function_of = [](auto&& call) -> std::string
+    {
+        try
+        {
+            call();
+            return "it was taken";
+        }
+        catch (const UsageError& error)
+        {
+            return error.function();
+        }
+    };
+    EXPECT_EQ(function_of([&] { first.step(1 / 60.0f); }), "step");
+    EXPECT_EQ(function_of([&] { first.body(id); }), "body");
+    EXPECT_EQ(function_of([&] { first.cast_ray({}, {1, 0}); }), "cast_ray");
+    EXPECT_EQ(function_of([&] { first.create_joint({}, RevoluteJoint{}); }), "create_joint");
+    EXPECT_EQ(function_of([&] { first.explode({}); }), "explode");
+    EXPECT_EQ(function_of([&] { second.restore(first); }), "restore");
     // NOLINTEND(bugprone-use-after-move)
     first = std::move(second);
     EXPECT_TRUE(first.find_body(id));
@@ -168,12 +187,48 @@ TEST(World, WorldsMadeOnSeveralThreadsHaveNumbersOfTheirOwn)
     for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
 }
 
+TEST(World, TellsAnIdThatIsGoneFromOneThatNeverWas)
+{
+    World world;
+    const BodyId gone = world.create_body({});
+    world.destroy_body(gone);
+    const auto remedy_for = [&](BodyId id)
+    {
+        try
+        {
+            world.body(id);
+            return std::string("it was taken");
+        }
+        catch (const UsageError& error)
+        {
+            return error.remedy();
+        }
+    };
+    const std::string destroyed = "it was destroyed; ask with find before using an old id";
+    const std::string unknown = "it does not exist yet in this world; give an id that create returned";
+    EXPECT_EQ(remedy_for(gone), destroyed);
+    EXPECT_EQ(remedy_for({gone.index, gone.generation + 1, gone.world}), unknown);
+    EXPECT_EQ(remedy_for({1000, 1, gone.world}), unknown);
+    EXPECT_EQ(remedy_for({}), "give an id that create returned");
+    EXPECT_EQ(remedy_for(World().create_body({})), "give an id of this world");
+    world.create_body({});
+    EXPECT_EQ(remedy_for(gone), destroyed) << "its place has another tenant";
+}
+
 TEST(World, RefusesAStepThatIsTooShortTooLongOrNoNumber)
 {
     World world;
     for (const float dt : {-1.0f, 1e-7f, 1.5f, std::numeric_limits<float>::quiet_NaN()}) EXPECT_THROW(world.step(dt), UsageError) << dt;
     for (const int substeps : {-1, 0, 65}) EXPECT_THROW(world.step(0.01f, substeps), UsageError) << substeps;
     EXPECT_EQ(world.step_count(), 0u);
+    try
+    {
+        world.step(std::numeric_limits<float>::quiet_NaN());
+    }
+    catch (const UsageError& error)
+    {
+        EXPECT_STREQ(error.what(), "step: dt is nan; give 0, or a value from 1e-06 to 1");
+    }
     world.step(1e-6f, 64);
     world.step(1, 1);
     EXPECT_EQ(world.step_count(), 2u);
