@@ -148,7 +148,7 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         {{"run", "gravity", "--still", "a.jpg"}, ".png"},
         {{"run", "gravity", "--animation", "a.avi"}, ".mp4, .webm or .gif"},
         {{"run", "gravity", "--animation", "/tmp"}, ".mp4"},
-        {{"run", "collisions", "--set", "cover=80"}, "give less"},
+        {{"run", "collisions", "--set", "cover=80"}, "cover: 80 is out of range; give a number from 1 to 60 %"},
         {{"run", "gravity", "--frames", "3"}, "--frames"},
     };
     for (const auto& one : cases)

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace carom::scenes
 {
 
@@ -64,16 +67,27 @@ TEST(Collisions, keeps_its_energy)
     EXPECT_NEAR(kinetic_energy(scene->world()) / before, 1, 0.05);
 }
 
+TEST(Collisions, finds_room_at_the_highest_cover)
+{
+    for (const auto& [circles, boxes] : {std::pair(100, 100), std::pair(500, 500), std::pair(800, 0), std::pair(0, 800)})
+        for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        {
+            const auto scene = make_scene("collisions", {{"circles", circles}, {"boxes", boxes}, {"cover", 60}}, seed);
+            EXPECT_EQ(scene->world().body_count(), circles + boxes + 1);
+        }
+    EXPECT_THROW(make_scene("collisions", {{"cover", 61}}), SceneError);
+}
+
 TEST(Collisions, says_when_there_is_no_room)
 {
     try
     {
-        make_scene("collisions", {{"cover", 80}});
+        make_scene("collisions", {{"circles", 20}, {"boxes", 20}, {"cover", 60}}, 1);
         FAIL() << "no error";
     }
     catch (const SceneError& error)
     {
-        EXPECT_STREQ(error.what(), "cover: 80 % leaves no room to place all shapes apart; give less");
+        EXPECT_STREQ(error.what(), "cover: 60 % leaves no room to place 40 shapes apart; give less, or another seed");
     }
 }
 
