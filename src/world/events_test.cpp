@@ -244,16 +244,20 @@ TEST_F(EventsTest, AStepOfNoTimeTellsEventsToo)
 
 TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
 {
-    World pile({.sleep = {.is_enabled = false}}); // sleepers do not persist
+    World pile;
     pile.create_body({.type = BodyType::Static, .position = {0, -1}}, box(40, 2), {.persist_events = true});
     pile.create_body({.type = BodyType::Static}, box(5, 5), {.is_sensor = true, .persist_events = true});
     std::set<std::pair<ShapeId, ShapeId>> told;
     std::set<std::pair<ShapeId, ShapeId>> inside;
     std::size_t most = 0;
-    for (int i = 0; i < 200; ++i)
+    std::size_t slept = 0;
+    std::size_t woke = 0;
+    for (int i = 0; i < 500; ++i)
     {
         if (i < 60) pile.create_body({.position = {static_cast<float>(i % 5) - 2, 5}}, box(0.7f, 0.7f), {.persist_events = i % 2 == 0});
-        if (i > 60 && i % 5 == 0) pile.destroy_body(pile.bodies()[static_cast<std::size_t>(2 + i % 7)]);
+        const bool is_calm = i > 150 && i < 400; // long enough to fall asleep
+        if (i > 60 && i % 5 == 0 && !is_calm && pile.body_count() > 20)
+            pile.destroy_body(pile.bodies()[static_cast<std::size_t>(2 + i % 7)]);
         pile.step(dt);
         const Events events = pile.events();
         const auto contact_order = [](const auto& l, const auto& r)
@@ -272,10 +276,22 @@ TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
         most = std::max(most, told.size());
         for (const SensorEvent& end : events.sensor_end) ASSERT_EQ(inside.erase({end.sensor, end.visitor}), 1u);
         for (const SensorEvent& event : events.sensor_begin) ASSERT_TRUE(inside.emplace(event.sensor, event.visitor).second);
-        ASSERT_EQ(events.sensor_persist.size() + events.sensor_begin.size(), inside.size());
+        slept += events.fell_asleep.size();
+        woke += events.woke.size();
+        // Sleepers do not persist; who fell asleep in this step was still awake when it was told.
+        const std::set<BodyId> to_sleep(events.fell_asleep.begin(), events.fell_asleep.end());
+        const auto was_awake = [&](const auto& pair)
+        {
+            const BodyId body = pile.shape(pair.second).body();
+            return pile.body(body).is_awake() || to_sleep.contains(body);
+        };
+        ASSERT_EQ(events.sensor_persist.size() + events.sensor_begin.size(),
+                  static_cast<std::size_t>(std::ranges::count_if(inside, was_awake)));
         for (const auto& [a, b] : told) ASSERT_TRUE(std::ranges::count(pile.shape(a).touching(), b) == 1);
     }
     EXPECT_GT(most, 40u) << "a pile";
+    EXPECT_GT(slept, 20u);
+    EXPECT_GT(woke, 10u);
 }
 
 TEST_F(SensorTest, AnOverlapPersistsAndEnds)
