@@ -71,7 +71,7 @@ public:
     Vec2 center_of_mass() const;              ///< in the world [m]
     Vec2 linear_velocity() const;             ///< of the centre of mass [m/s]
     float angular_velocity() const;           ///< [rad/s]
-    Vec2 velocity_at(Vec2 world_point) const; ///< of the body's material at a world point [m/s]
+    Vec2 velocity_at(Vec2 world_point) const; ///< of the body's material at a world point, which must be finite [m/s]
     MassData mass_data() const;               ///< zero mass for static and kinematic bodies unless set_mass_data gave one
     float linear_damping() const;
     float angular_damping() const;
@@ -155,7 +155,7 @@ public:
     bool pre_solve() const;
     Aabb bounds() const; ///< in the world [m]
     std::uint64_t user_data() const;
-    bool contains(Vec2 world_point) const;
+    bool contains(Vec2 world_point) const; ///< whether the point lies in it or on its edge [m]; throws UsageError unless it is finite
     /// Shapes that it touches or overlaps as of the last step, ordered by index. Sensors among them.
     std::vector<ShapeId> touching() const;
 

@@ -48,7 +48,7 @@ struct Motor
 /// A pin: the origins of the two frames stay together. Its angle is that of frame B seen from frame A, counted over full turns.
 struct RevoluteJoint
 {
-    std::optional<Range> limit = {};   ///< of the angle [rad]; may span several turns
+    std::optional<Range> limit = {};   ///< of the angle [rad]; may span several turns, within +-1e5
     std::optional<Motor> motor = {};   ///< [rad/s], [N m]
     std::optional<Spring> spring = {}; ///< towards an angle [rad]
 };
@@ -89,7 +89,7 @@ struct WheelJoint
 struct MotorJoint
 {
     Vec2 offset = {};     ///< where the origin of frame B shall be in frame A [m]
-    float angle = 0;      ///< of frame B in frame A [rad], in (-pi, pi]
+    float angle = 0;      ///< of frame B in frame A [rad], in [-pi, pi]
     Spring spring = {};   ///< how it gets there; `target` is not read
     float max_force = 0;  ///< [N], >= 0
     float max_torque = 0; ///< [N m], >= 0

@@ -87,8 +87,11 @@ struct MassData
 /// @param density [kg/m^2]
 MassData mass_of(const Geometry& geometry, float density);
 /// Bounds of a shape at a place in the world.
+/// @param transform p finite [m], q a unit rotation
+/// @throws UsageError on a shape or a transform that is out of range or not finite
 Aabb aabb_of(const Geometry& geometry, const Transform& transform);
 /// True when the point [m], given in the shape's own frame, lies in the shape or on its edge.
+/// @throws UsageError on a shape that is out of range, or a point that is not finite
 bool contains(const Geometry& geometry, Vec2 local_point);
 
 /// How a surface behaves on contact. Of two surfaces friction and restitution mix by the world's MaterialMixing, rolling resistance is
@@ -136,7 +139,7 @@ struct Filter
 /// What a shape is besides its geometry.
 struct ShapeDef
 {
-    float density = 1; ///< [kg/m^2]; 0, or such that the shape's mass is from 1e-12 to 1e20 kg
+    float density = 1; ///< [kg/m^2]; 0, or such that the shape's mass is from 1e-12 to 1e20 kg and its inertia at most 1e20 kg m^2
     Material material = {};
     Filter filter = {};
     bool is_sensor = false;      ///< reports overlaps and pushes nothing; sensors see each other too

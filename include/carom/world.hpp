@@ -180,7 +180,7 @@ public:
     void visit_overlapping(const Geometry& geometry, const Transform& transform, ShapeVisitor visit, const QueryFilter& filter = {}) const;
     void visit_shapes_at(Vec2 point, ShapeVisitor visit, const QueryFilter& filter = {}) const;
 
-    /// The nearest point of any shape, as far as max_distance [m], >= 0.
+    /// The nearest point of any shape, as far as max_distance [m], 0 to 4 max_coordinate.
     std::optional<NearestPoint> closest_point(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
 
     /// Pushes what is around; see ExplosionDef.

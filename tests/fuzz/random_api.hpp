@@ -1,88 +1,27 @@
-// Random calls to a world, good and bad, with every promise about bad ones checked as they are made.
+// Random calls to a world, good and bad, with every promise about them checked as they are made.
 #pragma once
+
+#include "tests/fuzz/random_arguments.hpp"
+#include "tests/fuzz/random_hooks.hpp"
 
 #include <carom/carom.hpp>
 
-#include <array>
 #include <cstdint>
-#include <limits>
-#include <memory_resource>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace carom::fuzz
 {
-
-/// Uniform numbers, the same everywhere (SplitMix64).
-class Random
-{
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-
-    std::uint64_t bits()
-    {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15ull;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        return z ^ (z >> 31);
-    }
-    int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
-    bool one_in(int n) { return below(n) == 0; }
-    float from(float min, float max) { return min + (max - min) * static_cast<float>(bits() >> 40) / 16777216.0f; }
-
-private:
-    std::uint64_t state_;
-};
-
-/// A memory resource that calls back from inside an allocation: the one way into a world's step from outside.
-class Hook : public std::pmr::memory_resource
-{
-public:
-    void (*action)(void*) = nullptr;
-    void* argument = nullptr;
-
-private:
-    void* do_allocate(std::size_t bytes, std::size_t alignment) override
-    {
-        if (action) action(argument);
-        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-    }
-    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override
-    {
-        std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-    }
-    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
-};
-
-/// Hooks that answer at random, now and then with nonsense, and try to edit the world that calls them. Their own numbers, so that
-/// the calls don't depend on how often they are asked.
-class RandomHooks : public ContactHooks
-{
-public:
-    explicit RandomHooks(std::uint64_t seed) : random_(seed) {}
-
-    World* world = nullptr;
-    int calls = 0;
-    int refused = 0; ///< edits
-
-    bool should_collide(ShapeId a, ShapeId b) override;
-    float mix_friction(const Material& a, const Material& b, float mixed) override;
-    float mix_restitution(const Material& a, const Material& b, float mixed) override;
-    void pre_solve(PreSolve& contact) override;
-
-private:
-    float nonsense(float sense);
-    void try_to_edit();
-
-    Random random_;
-};
 
 /// How the calls of a run ended.
 struct Tally
 {
     int calls = 0;
     int refused = 0;     ///< threw UsageError
-    int during_step = 0; ///< of those, edits from inside a step
+    int doubtful = 0;    ///< where either was right
+    int stale = 0;       ///< of those refused, on a view or an id of what was gone
+    int during_step = 0; ///< of those refused, from inside a step
     int quarantined = 0; ///< bodies that steps reported
     int most_bodies = 0;
     int most_chains = 0;
@@ -90,6 +29,9 @@ struct Tally
     int most_joints = 0;
     int breaks = 0; ///< joints that steps broke
 };
+
+void report_accepted(const char* function);
+void report_refused(const UsageError& error);
 
 /// Makes random calls to one world.
 class RandomApi
@@ -102,48 +44,67 @@ public:
     Tally tally() const;
 
 private:
-    float number(float min, float max); ///< now and then a nasty one
-    Vec2 vector(float size);
-    Geometry geometry();
-    BodyDef body_def();
-    ShapeDef shape_def();
-    Field field();
-    std::optional<Spring> spring();
-    std::optional<Range> range();
-    std::optional<Motor> motor();
-    JointSpec joint_spec();
-    JointDef joint_def();
-    BodyId body_id(); ///< now and then stale, null or of another world
+    // Now and then stale, null or of another world; a call with such a one must be refused.
+    BodyId body_id();
     ShapeId shape_id();
     FieldId field_id();
     ChainId chain_id();
     JointId joint_id();
+    BodyId any_body();  ///< the same, where any is good
+    BodyId gone_body(); ///< null when there is none; so are the next
+    ShapeId gone_shape();
+    ChainId gone_chain();
+    JointId gone_joint();
 
+    /// Makes a call whose arguments are drawn as it is made. It must be refused when one of them is bad, and then change nothing, and must
+    /// be accepted when all are good.
+    /// @return whether it was accepted
     template <class Call>
-    void try_call(const char* function, Call&& call);
-    void must_refuse(); ///< a call that is wrong beyond doubt
+    bool try_call(const char* function, Call&& call);
+    /// A call that is wrong beyond doubt.
+    template <class Call>
+    void must_refuse(const char* function, Call&& call);
+    void remember_state(); ///< to compare with, unless it is known
+    void expect_unchanged(const UsageError& error) const;
+    void forget_state() { is_state_known_ = false; } ///< something was changed
 
+    // Bodies, shapes and chains.
     void create();
+    std::optional<Geometry> made_geometry();
+    void create_body(const Geometry& geometry);
+    void create_shape(const Geometry& geometry);
     void destroy();
     void edit_body();
+    void edit_flags(Body body);
     void push_body();
     void edit_shape();
     void make_chain();
     void edit_chain();
-    void edit_rules();
+
+    // Joints, rules, fields and steps.
     void create_joint();
+    JointDef joint_def();
     void edit_joint();
+    void edit_rules();
     void edit_world();
+    void step();
+    void check_step(const StepReport& report, float dt, const std::set<BodyId>& endless);
+
+    // Reading.
     void read();
     void query();
+    void measure();
     void cast();
     void walk();
-    QueryFilter query_filter();
-    Transform transform();
-    void step();
-    void edit_during_step();
 
-    Random random_;
+    // What must always be refused.
+    void call_stale_view();
+    void call_stale_id();
+    void make_mistake();
+    void edit_during_step();
+    void refuse_during_step(); ///< called from inside a step
+
+    RandomArguments draw_;
     Hook hook_;
     RandomHooks hooks_;
     World world_;
@@ -151,11 +112,52 @@ private:
     BodyId foreign_;
     std::vector<BodyId> bodies_; ///< stale ones stay in
     std::vector<ShapeId> shapes_;
-    std::vector<FieldId> fields_;
+    std::vector<FieldId> fields_; ///< without stale ones: a field can't be looked for
+    std::vector<FieldId> gone_fields_;
     std::vector<ChainId> chains_;
-    Character character_;
     std::vector<JointId> joints_;
+    std::vector<Body> body_views_; ///< some, to outlive what they show
+    std::vector<Shape> shape_views_;
+    std::vector<Chain> chain_views_;
+    std::vector<Joint> joint_views_;
+    std::set<BodyId> with_own_mass_; ///< set_mass_data was called
+    Character character_;
+    bool is_state_known_ = false;
+    std::uint64_t hash_ = 0;
+    std::optional<std::uint64_t> readable_; ///< as far as it was read
     Tally tally_;
 };
+
+template <class Call>
+bool RandomApi::try_call(const char* function, Call&& call)
+{
+    ++tally_.calls;
+    remember_state();
+    bool is_accepted = false;
+    try
+    {
+        call();
+        is_accepted = true;
+        if (draw_.verdict() == Verdict::Refuse) report_accepted(function);
+        forget_state();
+    }
+    catch (const UsageError& error)
+    {
+        ++tally_.refused;
+        expect_complete(error, function);
+        expect_unchanged(error);
+        if (draw_.verdict() == Verdict::Accept) report_refused(error);
+    }
+    tally_.doubtful += draw_.verdict() == Verdict::Either;
+    draw_.forget();
+    return is_accepted;
+}
+
+template <class Call>
+void RandomApi::must_refuse(const char* function, Call&& call)
+{
+    draw_.expect(false);
+    try_call(function, call);
+}
 
 } // namespace carom::fuzz
