@@ -252,10 +252,10 @@ TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
     std::size_t most = 0;
     std::size_t slept = 0;
     std::size_t woke = 0;
-    for (int i = 0; i < 500; ++i)
+    for (int i = 0; i < 900; ++i)
     {
         if (i < 60) pile.create_body({.position = {static_cast<float>(i % 5) - 2, 5}}, box(0.7f, 0.7f), {.persist_events = i % 2 == 0});
-        const bool is_calm = i > 150 && i < 400; // long enough to fall asleep
+        const bool is_calm = i > 150 && i < 800; // long enough for all to fall asleep
         if (i > 60 && i % 5 == 0 && !is_calm && pile.body_count() > 20)
             pile.destroy_body(pile.bodies()[static_cast<std::size_t>(2 + i % 7)]);
         pile.step(dt);
@@ -290,8 +290,8 @@ TEST_F(EventsTest, ListsAreOrderedAndAPileTellsEachPairOnce)
         for (const auto& [a, b] : told) ASSERT_TRUE(std::ranges::count(pile.shape(a).touching(), b) == 1);
     }
     EXPECT_GT(most, 40u) << "a pile";
-    EXPECT_GT(slept, 20u);
-    EXPECT_GT(woke, 10u);
+    EXPECT_GT(slept, 30u) << "nearly all that are left";
+    EXPECT_GT(woke, 0u);
 }
 
 TEST_F(SensorTest, AnOverlapPersistsAndEnds)
