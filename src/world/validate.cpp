@@ -223,7 +223,9 @@ void validate_density(const Geometry& geometry, float density, std::string_view 
     const MassData mass = mass_from(geometry, density);
     const bool is_massless = density == 0 || std::holds_alternative<Segment>(geometry);
     const bool is_good = mass.mass >= min_mass && mass.mass <= max_mass && mass.inertia > 0 && mass.inertia <= max_mass;
-    if (!is_massless && !is_good) usage_error(function, "density", density, "give a density for which the mass is from 1e-12 to 1e20 kg, and the inertia at most 1e20 kg m^2");
+    if (!is_massless && !is_good)
+        usage_error(function, "density", density,
+                    "give a density for which the mass is from 1e-12 to 1e20 kg, and the inertia at most 1e20 kg m^2");
 }
 
 void validate_mass(const MassData& data, BodyType type, std::string_view function)
