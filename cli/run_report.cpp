@@ -126,8 +126,8 @@ ordered_json run_json(const scenes::Scene& scene, const lab::RunResult& result)
         {"mean", result.step_ms.mean}, {"median", result.step_ms.median}, {"p99", result.step_ms.p99}, {"max", result.step_ms.max}};
     for (std::size_t i = 0; i < stage_count; ++i) json["stage_ms"][std::string(name_of(static_cast<Stage>(i)))] = result.stage_ms[i];
     json["hash"] = hash_text(result.hash);
-    json["memory"] = {{"bytes", result.last.bytes},
-                      {"peak_bytes", result.last.peak_bytes},
+    json["memory"] = {{"bytes", result.last.memory.total.bytes},
+                      {"peak_bytes", result.last.memory.total.peak_bytes},
                       {"heap_allocations_per_step", result.heap_allocations_per_step}};
     json["version"] = CAROM_VERSION;
     json["compiler"] = compiler_name();
@@ -153,8 +153,8 @@ std::string run_table(const scenes::Scene& scene, const lab::RunResult& result)
     text += formatted("  %-22s %12.4f %12.4f %12.4f %12.4f\n", "step", step.mean, step.median, step.p99, step.max);
     text += stage_lines(result);
     text += "\nmemory\n";
-    text += formatted("  %-22s %s, at most %s\n", "of the world", bytes_text(result.last.bytes).c_str(),
-                      bytes_text(result.last.peak_bytes).c_str());
+    text += formatted("  %-22s %s, at most %s\n", "of the world", bytes_text(result.last.memory.total.bytes).c_str(),
+                      bytes_text(result.last.memory.total.peak_bytes).c_str());
     text += formatted("  %-22s %g\n", "heap allocations/step", result.heap_allocations_per_step);
     text += "\nhash of the world        " + hash_text(result.hash) + "\n";
     return text;

@@ -13,6 +13,7 @@
 #include <carom/ids.hpp>
 #include <carom/joint.hpp>
 #include <carom/math.hpp>
+#include <carom/memory.hpp>
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <carom/ids.hpp>
+#include <carom/memory.hpp>
 
 #include <array>
 #include <cstddef>
@@ -35,6 +36,34 @@ inline constexpr int stage_count = 14;
 /// "find pairs", "update manifolds", ...
 std::string_view name_of(Stage stage);
 
+/// What a world's memory is for.
+enum class MemoryCategory
+{
+    World,      ///< the world object itself, its fields
+    Bodies,     ///< stores of bodies
+    Shapes,     ///< stores of shapes and chains
+    BroadPhase, ///< the tree, or whatever finds pairs
+    Contacts,   ///< pairs of near shapes and their manifolds
+    Joints,     ///< stores of joints
+    Islands,    ///< who sleeps with whom
+    Solver,     ///< colours, rows of contacts and joints, forces of fields
+    Events,     ///< what the last step tells
+    Scratch     ///< of a step: an arena that is reused
+};
+inline constexpr int memory_category_count = 10;
+
+/// "world", "bodies", "broad phase", ...
+std::string_view name_of(MemoryCategory category);
+
+/// All that a world has taken from its memory resource.
+struct MemoryReport
+{
+    MemoryStats total;
+    std::array<MemoryStats, memory_category_count> categories;
+
+    const MemoryStats& of(MemoryCategory category) const { return categories[static_cast<std::size_t>(category)]; }
+};
+
 /// What World::step did.
 struct StepReport
 {
@@ -51,8 +80,7 @@ struct StepReport
     int colors = 0;        ///< groups of independent contacts that it made of them
     int overflow_rows = 0; ///< contacts that found no colour and were solved one by one
 
-    std::size_t bytes = 0;       ///< memory in use by the world [bytes]
-    std::size_t peak_bytes = 0;  ///< most that was ever in use [bytes]
+    MemoryReport memory;         ///< after the step
     std::size_t allocations = 0; ///< requests to the world's memory resource during this step
 
     /// Bodies whose state became infinite, NaN or larger than 1e15 in this step: each is back at its last good place, at rest and disabled.

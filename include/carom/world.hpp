@@ -215,6 +215,8 @@ public:
     int awake_body_count() const; ///< dynamic and kinematic ones that take part in the next step
     int shape_count() const;
     int joint_count() const;
+    /// What the world holds now, by category. The total is what its memory resource has given and not got back.
+    MemoryReport memory() const;
     /// Number of steps taken.
     std::uint64_t step_count() const;
     /// A hash of the whole state. Equal runs give equal hashes at every step, whatever the broad phase, compiler or build type.

@@ -36,12 +36,11 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
 }
 
 void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
-                PairSet& known, const ContactRules& rules, std::pmr::vector<ProxyPair>& found)
+                PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch)
 {
-    found.clear();
     if (shapes.moved.empty()) return;
+    std::pmr::vector<ProxyPair> found(&scratch);
     broad_phase.find_pairs(shapes.moved, found);
-    keep_headroom(found);
 
     const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, joints, pair).makes_contact || known.contains(pair); };
     found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());

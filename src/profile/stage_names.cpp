@@ -1,4 +1,4 @@
-// The stages' names as people read them.
+// The names of stages and of categories of memory, as people read them.
 #include <carom/report.hpp>
 
 namespace carom
@@ -22,6 +22,24 @@ std::string_view name_of(Stage stage)
     case Stage::Continuous: return "continuous";
     case Stage::EmitEvents: return "emit events";
     case Stage::Sleep: return "sleep";
+    }
+    return "?";
+}
+
+std::string_view name_of(MemoryCategory category)
+{
+    switch (category)
+    {
+    case MemoryCategory::World: return "world";
+    case MemoryCategory::Bodies: return "bodies";
+    case MemoryCategory::Shapes: return "shapes";
+    case MemoryCategory::BroadPhase: return "broad phase";
+    case MemoryCategory::Contacts: return "contacts";
+    case MemoryCategory::Joints: return "joints";
+    case MemoryCategory::Islands: return "islands";
+    case MemoryCategory::Solver: return "solver";
+    case MemoryCategory::Events: return "events";
+    case MemoryCategory::Scratch: return "scratch";
     }
     return "?";
 }

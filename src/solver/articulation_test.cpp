@@ -1,7 +1,7 @@
 // The sparse solution against a dense one.
 #include "solver/articulation.hpp"
 
-#include "memory/counting_resource.hpp"
+#include <carom/memory.hpp>
 
 #include <gtest/gtest.h>
 
@@ -356,20 +356,20 @@ TEST(Articulation, LeavesOutWhatIsTooWideAndSolvesTheRest)
 
 TEST(Articulation, PlansOnceAndThenAllocatesNothing)
 {
-    CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     Net net(5, memory);
     add_tree(net, 200);
     const std::vector<double> wanted = net.rhs();
     net.solve();
     const std::vector<double> first = net.rhs();
-    const std::size_t before = memory.allocations();
+    const std::size_t before = memory.stats().allocations;
     for (int i = 0; i < 3; ++i)
     {
         net.set_rhs(wanted);
         net.solve();
         EXPECT_EQ(net.rhs(), first);
     }
-    EXPECT_EQ(memory.allocations(), before);
+    EXPECT_EQ(memory.stats().allocations, before);
     // And plans anew, in the same memory, when a joint goes, is switched off, or changes its place.
     const auto again = [&]
     {
@@ -382,7 +382,7 @@ TEST(Articulation, PlansOnceAndThenAllocatesNothing)
     EXPECT_LT(again(), 1e-6);
     std::swap(net.system.joints[0], net.system.joints[9]);
     EXPECT_LT(again(), 1e-6);
-    EXPECT_EQ(memory.allocations(), before);
+    EXPECT_EQ(memory.stats().allocations, before);
 }
 
 TEST(Articulation, NothingIsSolvedQuietly)

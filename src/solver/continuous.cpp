@@ -6,7 +6,6 @@
 #include "geometry/bounds.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
-#include "memory/make_room.hpp"
 #include "solver/swept_path.hpp"
 
 #include <algorithm>
@@ -89,40 +88,22 @@ Vec2 common_way(Vec2 a, Vec2 b)
 
 } // namespace
 
-ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& memory)
-    : movers_(&memory),
-      mover_of_body_(&memory),
-      pairs_(&memory),
-      sensor_pairs_(&memory),
-      impacts_(&memory),
-      changed_(&memory),
-      near_(&memory),
-      crossings_(&memory)
+ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& scratch)
+    : movers_(&scratch),
+      mover_of_body_(&scratch),
+      pairs_(&scratch),
+      sensor_pairs_(&scratch),
+      impacts_(&scratch),
+      changed_(&scratch),
+      near_(&scratch),
+      crossings_(&scratch)
 {
-}
-
-void ContinuousCollision::make_room_for(std::size_t bodies)
-{
-    constexpr std::size_t few = 32;
-    make_room(mover_of_body_, bodies);
-    make_room(movers_, few);
-    make_room(pairs_, 4 * few);
-    make_room(sensor_pairs_, few);
-    make_room(impacts_, 4 * few);
-    make_room(changed_, few);
-    make_room(near_, 4 * few);
-    make_room(crossings_, few);
 }
 
 void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints,
                               const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead)
 {
-    crossings_.clear();
     if (fast.empty()) return;
-    movers_.clear();
-    pairs_.clear();
-    sensor_pairs_.clear();
-    impacts_.clear();
     mover_of_body_.resize(bodies.records.size(), null_index);
     for (const FastBody& body : fast)
     {
@@ -142,14 +123,6 @@ void ContinuousCollision::run(std::span<const FastBody> fast, BodyStore& bodies,
     resolve_impacts(near, broad_phase);
     place_bodies(bodies, shapes, broad_phase, way_ahead);
     find_crossings(bodies, shapes);
-    for (const Mover& mover : movers_) mover_of_body_[mover.body] = null_index;
-    keep_headroom(movers_);
-    keep_headroom(pairs_);
-    keep_headroom(sensor_pairs_);
-    keep_headroom(impacts_);
-    keep_headroom(changed_);
-    keep_headroom(near_);
-    keep_headroom(crossings_);
 }
 
 void ContinuousCollision::find_candidates(const Surroundings& near, BroadPhase& broad_phase)

@@ -38,11 +38,10 @@ struct Crossing
 class ContinuousCollision
 {
 public:
-    explicit ContinuousCollision(std::pmr::memory_resource& memory);
+    /// @param scratch for the lists of a step
+    explicit ContinuousCollision(std::pmr::memory_resource& scratch);
 
-    /// Room for the first fast bodies, so that they cost no memory when they come.
-    void make_room_for(std::size_t bodies);
-
+    /// To be called once.
     /// @param fast  bodies with their ways, as finalize_bodies found them; their fat bounds hold the whole way, and are ordinary ones after
     /// @param contacts, rules who passes whom: through a one-sided segment, or because a hook says so
     /// @param dt    of the step [s]
@@ -51,7 +50,6 @@ public:
              const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead);
 
     std::span<const Crossing> crossings() const { return crossings_; }
-    void clear_crossings() { crossings_.clear(); }
 
 private:
     /// A body whose way is judged.

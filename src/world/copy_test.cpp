@@ -1,5 +1,4 @@
 // A copy goes on to the same bits, and a world can be taken back.
-#include "memory/counting_resource.hpp"
 
 #include <carom/carom.hpp>
 
@@ -85,18 +84,18 @@ TEST(Copy, IsAWorldOfItsOwn)
 
 TEST(Copy, OutlivesTheOriginalAndTakesItsMemoryFromWhereItIsTold)
 {
-    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     {
         std::optional<World> world(std::in_place);
         fill(*world);
         for (int i = 0; i < 30; ++i) world->step(dt);
         World copy = world->copy(&memory);
         world.reset();
-        EXPECT_GT(memory.bytes(), 0u);
+        EXPECT_GT(memory.stats().bytes, 0u);
         for (int i = 0; i < 100; ++i) copy.step(dt);
         EXPECT_EQ(copy.body(copy.bodies()[0]).name(), "a name that is too long to be kept in place");
     }
-    EXPECT_EQ(memory.bytes(), 0u);
+    EXPECT_EQ(memory.stats().bytes, 0u);
 }
 
 TEST(Copy, RestoreTakesAWorldBackAndItsIdsWithIt)

@@ -85,8 +85,6 @@ namespace
 void make_room_for_bodies(WorldState& world, std::size_t count)
 {
     world.islands.make_room_for(count);
-    world.continuous.make_room_for(count);
-    make_room(world.fast, count);
     make_room(world.events.fell_asleep, count);
     make_room(world.events.woke, count);
 }
@@ -107,7 +105,6 @@ void reserve_for_edits(WorldState& world)
     world.bodies.make_room();
     world.shapes.make_room();
     make_room(world.contacts.awake, world.contacts.contacts.size());
-    make_room(world.broken_joints, world.joints.joints.size());
     make_room(world.events.joint_break, world.joints.joints.size());
 }
 
@@ -299,7 +296,7 @@ void renew_proxy(WorldState& world, std::uint32_t shape)
 
 void set_broad_phase(WorldState& world, BroadPhaseType type, const BroadPhaseOptions& options)
 {
-    BroadPhasePtr next = make_broad_phase(type, options, world.memory);
+    BroadPhasePtr next = make_broad_phase(type, options, world.memory_for(MemoryCategory::BroadPhase));
     for (std::uint32_t shape = 0; shape < world.shapes.slots.size(); ++shape)
     {
         if (!world.shapes.slots.is_live(shape)) continue;

@@ -110,7 +110,6 @@ std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSp
     joint.angle =
         angle(relative(world_frame(world.bodies, joint.body_a, joint.frame_a).q, world_frame(world.bodies, joint.body_b, joint.frame_b).q));
 
-    make_room(world.broken_joints, world.joints.joints.size() + 1);
     make_room(world.events.joint_break, world.joints.joints.size() + 1);
     const std::uint32_t slot = world.joints.create(joint, world.bodies);
     wake_ends(world, joint);

@@ -1,5 +1,4 @@
 // Where a world's bytes come from, that they all return, and that a warm step asks for none.
-#include "memory/counting_resource.hpp"
 
 #include <carom/carom.hpp>
 
@@ -59,7 +58,7 @@ class WarmMemoryTest : public testing::TestWithParam<BroadPhaseType>
 
 TEST_P(MemoryTest, EveryByteComesFromTheResourceAndReturnsToIt)
 {
-    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     {
         const NoDefaultResource guard;
         World world({.broad_phase = GetParam(), .capacity = {.bodies = 10, .shapes = 10, .contacts = 10}, .memory = &memory});
@@ -67,32 +66,32 @@ TEST_P(MemoryTest, EveryByteComesFromTheResourceAndReturnsToIt)
         for (int i = 0; i < 60; ++i)
         {
             const StepReport report = world.step(dt);
-            // The world's own head comes from the resource too, and is not in the report.
-            ASSERT_LE(report.bytes, memory.bytes());
-            ASSERT_GE(report.peak_bytes, report.bytes);
+            ASSERT_EQ(report.memory.total.bytes, memory.stats().bytes);
+            ASSERT_EQ(report.memory.total.blocks, memory.stats().blocks);
+            ASSERT_GE(report.memory.total.peak_bytes, report.memory.total.bytes);
             if (i == 30) world.destroy_body(world.bodies()[40]);
             if (i == 40) world.set_broad_phase(BroadPhaseType::Quadtree);
         }
         World moved = std::move(world);
         moved.step(dt);
     }
-    EXPECT_EQ(memory.bytes(), 0u);
+    EXPECT_EQ(memory.stats().bytes, 0u);
 }
 
 TEST_P(WarmMemoryTest, AWarmPileAllocatesNothing)
 {
-    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     World world({.broad_phase = GetParam(), .memory = &memory});
     fill(world);
     for (int i = 0; i < 400; ++i) world.step(dt);
-    const std::size_t before = memory.allocations();
+    const std::size_t before = memory.stats().allocations;
     for (int i = 0; i < 300; ++i) EXPECT_EQ(world.step(dt).allocations, 0u) << i;
-    EXPECT_EQ(memory.allocations(), before);
+    EXPECT_EQ(memory.stats().allocations, before);
 }
 
 TEST_P(WarmMemoryTest, AConstantPopulationHardlyEverAllocates)
 {
-    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     World world({.broad_phase = GetParam(), .memory = &memory});
     fill(world);
     std::size_t late = 0;
@@ -101,9 +100,9 @@ TEST_P(WarmMemoryTest, AConstantPopulationHardlyEverAllocates)
         const std::vector<BodyId> bodies = world.bodies();
         world.destroy_body(bodies[3 + static_cast<std::size_t>(i * 7 % 150)]);
         world.create_body({.position = {static_cast<float>(i % 11) - 5, 9}}, circle(0.3f));
-        const std::size_t before = memory.allocations();
+        const std::size_t before = memory.stats().allocations;
         world.step(dt);
-        if (i >= 1200) late += memory.allocations() - before;
+        if (i >= 1200) late += memory.stats().allocations - before;
     }
     // One comes and one goes at every step, so that the number of contacts and the fill of each colour go on setting records now and then.
     EXPECT_LE(late, 4u) << "in 10 s, after 20 s";
@@ -120,11 +119,11 @@ INSTANTIATE_TEST_SUITE_P(BroadPhases, WarmMemoryTest,
 
 TEST(Memory, CapacityHintsSpareGrowing)
 {
-    detail::CountingResource memory(*std::pmr::new_delete_resource());
+    HeapResource memory;
     World world({.capacity = {.bodies = 200, .shapes = 200, .contacts = 2000}, .memory = &memory});
-    const std::size_t before = memory.allocations();
+    const std::size_t before = memory.stats().allocations;
     for (int i = 0; i < 200; ++i) world.create_body({.position = {static_cast<float>(2 * i), 0}});
-    EXPECT_EQ(memory.allocations(), before) << "bodies alone grow nothing";
+    EXPECT_EQ(memory.stats().allocations, before) << "bodies alone grow nothing";
 }
 
 } // namespace carom

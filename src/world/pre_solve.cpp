@@ -46,7 +46,7 @@ void apply(const PreSolve& wanted, Contact& contact)
 
 } // namespace
 
-void ask_pre_solve(WorldState& world)
+void ask_pre_solve(WorldState& world, ContactChanges& changes)
 {
     if (world.rules.hooks == nullptr) return;
     bool any_disabled = false;
@@ -67,7 +67,7 @@ void ask_pre_solve(WorldState& world)
         contact.is_disabled = true;
         any_disabled = true;
     }
-    if (any_disabled) list_changes(world.shapes, world.contacts, world.changes);
+    if (any_disabled) list_changes(world.shapes, world.contacts, changes);
 }
 
 } // namespace carom::detail

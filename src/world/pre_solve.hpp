@@ -1,6 +1,7 @@
 // Lets the user's hooks see each contact before it is solved.
 #pragma once
 
+#include "dynamics/narrow_phase.hpp"
 #include "world/world_state.hpp"
 
 namespace carom::detail
@@ -8,6 +9,6 @@ namespace carom::detail
 
 /// Calls ContactHooks::pre_solve for every contact with points that asks for it and is awake. A disabled contact loses its points for
 /// this step, and the lists of changes follow.
-void ask_pre_solve(WorldState& world);
+void ask_pre_solve(WorldState& world, ContactChanges& changes);
 
 } // namespace carom::detail

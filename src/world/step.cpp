@@ -5,6 +5,7 @@
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "profile/stage_timer.hpp"
+#include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
 #include "solver/softness.hpp"
 #include "world/check_state.hpp"
@@ -23,16 +24,16 @@ namespace
 {
 
 /// Takes contacts in and out of the solver, and out of the world, as their manifolds say.
-void apply_changes(WorldState& world)
+void apply_changes(WorldState& world, const ContactChanges& changes)
 {
-    for (const std::uint32_t contact : world.changes.lost_points)
+    for (const std::uint32_t contact : changes.lost_points)
     {
         const Contact& pair = world.contacts.contacts[contact];
         world.colors.remove(contact, world.contacts, world.bodies);
         world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
     }
-    for (const std::uint32_t contact : world.changes.separated) destroy_contact(world, contact);
-    for (const std::uint32_t contact : world.changes.gained_points)
+    for (const std::uint32_t contact : changes.separated) destroy_contact(world, contact);
+    for (const std::uint32_t contact : changes.gained_points)
     {
         const Contact& pair = world.contacts.contacts[contact];
         wake_body(world, pair.body_a);
@@ -43,36 +44,35 @@ void apply_changes(WorldState& world)
     }
 }
 
-void disable_not_finite(WorldState& world)
+void disable(WorldState& world, std::span<const std::uint32_t> not_finite)
 {
     world.quarantined.clear();
-    for (const std::uint32_t body : world.not_finite)
+    for (const std::uint32_t body : not_finite)
     {
         set_body_enabled(world, body, false);
         world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
     }
-    world.not_finite.clear();
 }
 
 /// Those that pulled harder than they may are gone after the step.
 void break_joints(WorldState& world)
 {
-    world.broken_joints.clear();
+    std::pmr::vector<std::uint32_t> broken(&world.arena);
     for (int color = 0; color < color_count; ++color)
         for (const std::uint32_t slot : world.joint_colors.list(color))
         {
             const Joint& joint = world.joints.joints[slot];
-            if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) world.broken_joints.push_back(slot);
+            if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) broken.push_back(slot);
         }
-    std::sort(world.broken_joints.begin(), world.broken_joints.end());
-    for (const std::uint32_t slot : world.broken_joints)
+    std::sort(broken.begin(), broken.end());
+    for (const std::uint32_t slot : broken)
     {
         note_break(world, slot);
         destroy_joint(world, slot);
     }
 }
 
-void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps)
+void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps, ContinuousCollision& continuous)
 {
     const float h = dt / static_cast<float>(substeps);
     const ContactConstants constants = make_contact_constants(world.tuning, dt, h, world.last_substep);
@@ -119,17 +119,16 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
         joints.store_impulses(bodies.motions, world.joints, 1 / dt);
         break_joints(world);
     }
+    std::pmr::vector<FastBody> fast(&world.arena);
     {
         StageTimer timer(report, Stage::FinalizeBodies);
-        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, world.not_finite,
-                        world.is_continuous ? &world.fast : nullptr);
-        disable_not_finite(world);
+        std::pmr::vector<std::uint32_t> not_finite(&world.arena);
+        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, not_finite, world.is_continuous ? &fast : nullptr);
+        disable(world, not_finite);
     }
     {
         StageTimer timer(report, Stage::Continuous);
-        world.continuous.run(world.fast, bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
-                             steps_ahead * dt);
-        world.fast.clear();
+        continuous.run(fast, bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt, steps_ahead * dt);
     }
     world.last_substep = h;
 }
@@ -142,9 +141,8 @@ void count(const WorldState& world, std::size_t allocations_before, StepReport& 
     report.colors = world.colors.used_colors();
     report.overflow_rows = static_cast<int>(world.colors.list(overflow_color).size());
     for (int color = 0; color < color_count; ++color) report.rows += static_cast<int>(world.colors.list(color).size());
-    report.bytes = world.memory.bytes();
-    report.peak_bytes = world.memory.peak_bytes();
-    report.allocations = world.memory.allocations() - allocations_before;
+    report.memory = memory_report(world);
+    report.allocations = world.memory.stats().allocations - allocations_before;
     report.quarantined = world.quarantined;
 }
 
@@ -154,27 +152,28 @@ StepReport step(WorldState& world, float dt, int substeps)
 {
     StepReport report;
     const auto start = StageTimer::Clock::now();
-    const std::size_t allocations_before = world.memory.allocations();
+    const std::size_t allocations_before = world.memory.stats().allocations;
+    world.arena.reset();
+    ContactChanges changes(world.arena);
+    ContinuousCollision continuous(world.arena);
     world.quarantined.clear();
     world.events.joint_break.clear();
     world.events.fell_asleep.clear();
     world.events.woke.clear();
     {
         StageTimer timer(report, Stage::FindPairs);
-        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules,
-                   world.found_pairs);
+        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
     }
     {
         StageTimer timer(report, Stage::UpdateManifolds);
-        update_manifolds(world.bodies, world.shapes, world.contacts, world.changes);
-        ask_pre_solve(world);
-        apply_changes(world);
+        update_manifolds(world.bodies, world.shapes, world.contacts, changes);
+        ask_pre_solve(world, changes);
+        apply_changes(world, changes);
     }
-    if (dt > 0) integrate_substeps(world, report, dt, substeps);
+    if (dt > 0) integrate_substeps(world, report, dt, substeps, continuous);
     {
         StageTimer timer(report, Stage::EmitEvents);
-        report.contacts = emit_events(world.contacts, world.continuous.crossings(), world.shapes, world.rules, world.events);
-        world.continuous.clear_crossings();
+        report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events);
     }
     report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
     report.islands = static_cast<int>(world.islands.awake().size());

@@ -412,6 +412,8 @@ int World::body_count() const { return state("body_count").bodies.slots.live_cou
 
 int World::shape_count() const { return state("shape_count").shapes.slots.live_count(); }
 
+MemoryReport World::memory() const { return detail::memory_report(state("memory")); }
+
 std::uint64_t World::step_count() const { return state("step_count").step_count; }
 
 } // namespace carom

@@ -1,6 +1,9 @@
 // Builds an empty world on the user's memory.
 #include "world/world_state.hpp"
 
+#include <array>
+#include <span>
+
 namespace carom::detail
 {
 
@@ -16,10 +19,23 @@ std::uint32_t next_world_number()
     return number;
 }
 
+constexpr std::size_t first_arena = 4096; // [bytes]; it learns how much a step needs
+
+std::span<const char* const> category_names()
+{
+    static const std::array names = []
+    {
+        std::array<const char*, memory_category_count> all = {};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = name_of(static_cast<MemoryCategory>(i)).data(); // literals
+        return all;
+    }();
+    return names;
+}
+
 } // namespace
 
 WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
-    : memory(upstream),
+    : memory(category_names(), &upstream),
       world(next_world_number()),
       gravity(def.gravity),
       tuning(def.solver),
@@ -27,38 +43,51 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       is_continuous(def.continuous),
       rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed},
       broad_phase_options(def.broad_phase_options),
-      fields(memory),
-      bodies(memory),
-      shapes(memory),
-      chains(memory),
-      contacts(memory),
-      joints(memory),
-      islands(memory),
-      pairs(memory),
-      broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory)),
-      colors(memory),
-      joint_colors(memory),
-      events(memory),
-      quarantined(&memory),
-      found_pairs(&memory),
-      not_finite(&memory),
-      changes(memory),
-      solver(memory),
-      joint_solver(memory),
-      broken_joints(&memory),
-      field_forces(memory),
-      fast(&memory),
-      continuous(memory)
+      fields(memory_for(MemoryCategory::World)),
+      bodies(memory_for(MemoryCategory::Bodies)),
+      shapes(memory_for(MemoryCategory::Shapes)),
+      chains(memory_for(MemoryCategory::Shapes)),
+      contacts(memory_for(MemoryCategory::Contacts)),
+      joints(memory_for(MemoryCategory::Joints)),
+      islands(memory_for(MemoryCategory::Islands)),
+      pairs(memory_for(MemoryCategory::Contacts)),
+      broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory_for(MemoryCategory::BroadPhase))),
+      colors(memory_for(MemoryCategory::Solver)),
+      joint_colors(memory_for(MemoryCategory::Solver)),
+      events(memory_for(MemoryCategory::Events)),
+      quarantined(&memory_for(MemoryCategory::Events)),
+      solver(memory_for(MemoryCategory::Solver)),
+      joint_solver(memory_for(MemoryCategory::Solver)),
+      field_forces(memory_for(MemoryCategory::Solver)),
+      arena(first_arena, &memory_for(MemoryCategory::Scratch))
 {
     islands.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
-    continuous.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
-    fast.reserve(static_cast<std::size_t>(def.capacity.bodies) + 1);
     events.fell_asleep.reserve(static_cast<std::size_t>(def.capacity.bodies));
     events.woke.reserve(static_cast<std::size_t>(def.capacity.bodies));
     bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));
     shapes.reserve(static_cast<std::size_t>(def.capacity.shapes));
     contacts.reserve(static_cast<std::size_t>(def.capacity.contacts));
     pairs.reserve(static_cast<std::size_t>(def.capacity.contacts));
+}
+
+MemoryReport memory_report(const WorldState& world)
+{
+    // The world's object lies in the resource itself, beside what it counts.
+    const auto with_world = [](MemoryStats stats)
+    {
+        stats.bytes += sizeof(WorldState);
+        stats.peak_bytes += sizeof(WorldState);
+        stats.total_bytes += sizeof(WorldState);
+        ++stats.blocks;
+        ++stats.allocations;
+        return stats;
+    };
+    MemoryReport report;
+    report.total = with_world(world.memory.stats());
+    for (std::size_t i = 0; i < report.categories.size(); ++i) report.categories[i] = world.memory.stats(i);
+    MemoryStats& own = report.categories[static_cast<std::size_t>(MemoryCategory::World)];
+    own = with_world(own);
+    return report;
 }
 
 } // namespace carom::detail

@@ -9,16 +9,14 @@
 #include "dynamics/contact_store.hpp"
 #include "dynamics/island_store.hpp"
 #include "dynamics/joint_store.hpp"
-#include "dynamics/narrow_phase.hpp"
 #include "dynamics/shape_store.hpp"
 #include "fields/field_store.hpp"
-#include "memory/counting_resource.hpp"
 #include "solver/contact_solver.hpp"
-#include "solver/continuous.hpp"
 #include "solver/graph_colors.hpp"
 #include "solver/joint_solver.hpp"
 #include "world/event_buffers.hpp"
 
+#include <carom/memory.hpp>
 #include <carom/world.hpp>
 
 #include <atomic>
@@ -35,7 +33,9 @@ struct WorldState
     WorldState(const WorldState&) = delete;
     WorldState& operator=(const WorldState&) = delete;
 
-    CountingResource memory; ///< all that follows comes from here
+    std::pmr::memory_resource& memory_for(MemoryCategory category) { return memory.category(static_cast<std::size_t>(category)); }
+
+    TrackingResource memory; ///< all that follows comes from here
     std::uint32_t world;     ///< the number that this world's ids carry; never 0
     std::atomic<bool> is_stepping = false;
     bool is_broken = false; ///< a step was stopped half-way by the memory resource
@@ -69,16 +69,14 @@ struct WorldState
     std::uint64_t step_count = 0;
     float last_substep = 0; ///< [s]; 0 before the first
 
-    // Scratch of a step; kept so that it need not grow again.
-    std::pmr::vector<ProxyPair> found_pairs;
-    std::pmr::vector<std::uint32_t> not_finite;
-    ContactChanges changes;
+    // Kept so that they need not grow again.
     ContactSolver<float> solver;
     JointSolver<float> joint_solver;
-    std::pmr::vector<std::uint32_t> broken_joints;
     FieldForces field_forces;
-    std::pmr::vector<FastBody> fast;
-    ContinuousCollision continuous;
+    LinearResource arena; ///< scratch of a step, and of nothing else
 };
+
+/// What the world holds now, its own object included.
+MemoryReport memory_report(const WorldState& world);
 
 } // namespace carom::detail
