@@ -30,7 +30,6 @@ struct Contact
     float restitution = 0;
     float rolling_resistance = 0; ///< times a radius [m]
     float tangent_speed = 0;      ///< of B past A along the right of the normal [m/s]
-    std::uint32_t index_in_color = 0;
     std::uint32_t place_in_awake = null_index;
     std::uint8_t color = no_color; ///< the solver's colour while the contact has points
     bool is_live = false;

@@ -150,7 +150,7 @@ void IslandStore::split(std::uint32_t island, BodyStore& bodies, const ContactSt
             {
                 const Joint& joint = joints.joints[edge / 2];
                 const std::uint32_t other = edge % 2 == 0 ? joint.body_b : joint.body_a;
-                if (joint.is_active && other != null_index && bodies.records[other].island == island) reach(other, to);
+                if (joint.is_active() && other != null_index && bodies.records[other].island == island) reach(other, to);
             }
         }
     }

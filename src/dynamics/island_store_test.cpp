@@ -28,13 +28,14 @@ struct Linked
         Joint joint;
         joint.body_a = a;
         joint.body_b = b;
-        joint.is_active = true;
         links[{a, b}] = joints.create(joint, bodies);
+        joints.activate(links[{a, b}]);
         islands.link(a, b, bodies);
     }
 
     void unlink(std::uint32_t a, std::uint32_t b)
     {
+        joints.deactivate(links[{a, b}]);
         joints.destroy(links[{a, b}], bodies);
         links.erase({a, b});
         islands.unlink(a, b, bodies);

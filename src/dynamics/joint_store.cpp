@@ -13,6 +13,7 @@ namespace carom::detail
 std::uint32_t JointStore::create(const Joint& joint, BodyStore& bodies)
 {
     make_room(joints, joints.size() + 1);
+    make_room(active, joints.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == joints.size()) joints.emplace_back();
     joints[slot] = joint;
@@ -27,6 +28,22 @@ void JointStore::destroy(std::uint32_t slot, BodyStore& bodies)
     if (joint.body_a != null_index) unlink_edge(joints, 2 * slot, bodies.records[joint.body_a].first_joint);
     unlink_edge(joints, 2 * slot + 1, bodies.records[joint.body_b].first_joint);
     slots.release(slot);
+}
+
+void JointStore::activate(std::uint32_t slot)
+{
+    joints[slot].place_in_active = static_cast<std::uint32_t>(active.size());
+    active.push_back(slot);
+}
+
+void JointStore::deactivate(std::uint32_t slot)
+{
+    const std::uint32_t place = joints[slot].place_in_active;
+    const std::uint32_t last = active.back();
+    active[place] = last;
+    joints[last].place_in_active = place;
+    active.pop_back();
+    joints[slot].place_in_active = null_index;
 }
 
 void forget_impulses(Joint& joint)

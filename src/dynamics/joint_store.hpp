@@ -43,9 +43,9 @@ struct Joint
     float break_torque = 0; ///< [N m]
     std::uint64_t user_data = 0;
     bool collide_connected = false;
-    bool is_active = false; ///< the solver works on it
-    std::uint8_t color = 255;
-    std::uint32_t index_in_color = 0;
+    std::uint8_t color = 255;                   ///< the solver's colour while it is active
+    std::uint32_t place_in_active = null_index; ///< of those that the solver works on
+    bool is_active() const { return place_in_active != null_index; }
 
     // What the solver leaves behind.
     std::array<float, max_rigid_rows> rigid = {};
@@ -61,14 +61,19 @@ struct Joint
 class JointStore
 {
 public:
-    explicit JointStore(std::pmr::memory_resource& memory) : slots(memory), joints(&memory) {}
+    explicit JointStore(std::pmr::memory_resource& memory) : slots(memory), joints(&memory), active(&memory) {}
 
     /// Changes nothing when memory runs out.
     std::uint32_t create(const Joint& joint, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
 
+    /// The solver works on a joint, or no longer. Neither allocates.
+    void activate(std::uint32_t slot);
+    void deactivate(std::uint32_t slot);
+
     SlotPool slots;
     std::pmr::vector<Joint> joints;
+    std::pmr::vector<std::uint32_t> active; ///< slots, in an order that only the history of the world decides
 };
 
 /// Starts a joint cold.

@@ -84,7 +84,8 @@ TEST(JointStore, AUsedPlaceStartsCold)
     joint.drive = {5, 6};
     joint.force = {7, 8};
     joint.gear_slip = 9;
-    joint.is_active = true;
+    joints.activate(slot);
+    joints.deactivate(slot);
     joints.destroy(slot, bodies);
     ASSERT_EQ(joints.create(fresh, bodies), slot);
     const Joint& again = joints.joints[slot];
@@ -93,7 +94,7 @@ TEST(JointStore, AUsedPlaceStartsCold)
     EXPECT_EQ(again.drive, Vec2{});
     EXPECT_EQ(again.force, Vec2{});
     EXPECT_EQ(again.gear_slip, 0);
-    EXPECT_FALSE(again.is_active);
+    EXPECT_FALSE(again.is_active());
 }
 
 TEST(JointStore, ForgettingImpulsesKeepsWhatTheJointIs)

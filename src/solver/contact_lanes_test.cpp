@@ -63,14 +63,14 @@ struct RandomPile
             point.normal_impulse = from(0, 1);
             point.tangent_impulse = from(-0.3f, 0.3f);
         }
-        colors.add(slot, contacts, bodies);
+        give_color(slot, contacts, bodies);
     }
 
     static constexpr int body_count = 60;
     std::mt19937 engine;
     BodyStore bodies{*std::pmr::new_delete_resource()};
     ContactStore contacts{*std::pmr::new_delete_resource()};
-    ContactColors colors{*std::pmr::new_delete_resource()};
+    ColorLists colors() const { return {contacts, *std::pmr::new_delete_resource()}; }
 };
 
 template <class F>
@@ -78,7 +78,7 @@ void run(RandomPile& pile)
 {
     ContactSolver<F> solver(*std::pmr::new_delete_resource());
     const ContactConstants constants = make_contact_constants({}, 1 / 60.0f, 1 / 240.0f, 1 / 480.0f);
-    solver.build(pile.colors, pile.bodies, pile.contacts, constants);
+    solver.build(pile.colors(), pile.bodies, pile.contacts, constants);
     std::span<BodyMotion> motions = pile.bodies.motions;
     solver.bounce(motions);
     for (int substep = 0; substep < 3; ++substep)
@@ -120,7 +120,7 @@ TEST(ContactLanes, FourLanesGiveTheBitsOfOne)
     {
         RandomPile one(seed);
         RandomPile four(seed);
-        ASSERT_FALSE(one.colors.list(overflow_color).empty());
+        ASSERT_FALSE(one.colors().list(overflow_color).empty());
         run<float>(one);
         run<FourLanes>(four);
         expect_same_bits(one, four);

@@ -24,7 +24,7 @@ public:
     explicit ContactSolver(std::pmr::memory_resource& memory) : single_(&memory), double_(&memory), ranges_(&memory), struck_(&memory) {}
 
     /// Makes a row of every contact that has a colour.
-    void build(const ContactColors& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants);
+    void build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants);
 
     /// Collisions that bounce, before the substeps.
     void bounce(std::span<BodyMotion> motions);
@@ -49,6 +49,7 @@ private:
 
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
+    void make_room_for_rows(const ColorLists& colors, const ContactStore& contacts);
     void build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
                      const ContactConstants& constants);
 

@@ -148,13 +148,33 @@ void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lan
     row_count_ += static_cast<int>(color.size());
 }
 
+/// At most so many rows, so that no list grows while it is filled.
 template <class F>
-void ContactSolver<F>::build(const ContactColors& colors, const BodyStore& bodies, const ContactStore& contacts,
+void ContactSolver<F>::make_room_for_rows(const ColorLists& colors, const ContactStore& contacts)
+{
+    std::size_t singles = 0;
+    std::size_t doubles = 0;
+    for (int color = 0; color < color_count; ++color)
+    {
+        const std::size_t lanes = color == overflow_color ? 1 : lane_width<F>;
+        std::size_t with_one = 0;
+        for (const std::uint32_t slot : colors.list(color)) with_one += contacts.manifolds[slot].count == 1;
+        singles += (with_one + lanes - 1) / lanes;
+        doubles += (colors.list(color).size() - with_one + lanes - 1) / lanes;
+    }
+    single_.reserve(singles);
+    double_.reserve(doubles);
+    ranges_.reserve(color_count);
+}
+
+template <class F>
+void ContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts,
                              const ContactConstants& constants)
 {
     single_.clear();
     double_.clear();
     ranges_.clear();
+    make_room_for_rows(colors, contacts);
     row_count_ = 0;
     any_bounces_ = false;
     carry_share_ = constants.carry_share;

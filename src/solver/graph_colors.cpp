@@ -1,4 +1,4 @@
-// Picks and frees colours by the bodies' masks.
+// Picks and frees colours by the bodies' masks, and sorts constraints by colour.
 #include "solver/graph_colors.hpp"
 
 #include <bit>
@@ -11,9 +11,6 @@ namespace
 
 constexpr std::uint32_t all_colors = (std::uint32_t{1} << overflow_color) - 1;
 
-/// Small lists grow and shrink by chance: room for that from the start, so that a pile that was warm stays warm.
-constexpr std::size_t least_capacity = 64;
-
 std::uint8_t pick_color(bool is_dynamic_a, bool is_dynamic_b, std::uint32_t used)
 {
     const std::uint32_t free = ~used & all_colors;
@@ -25,57 +22,89 @@ std::uint8_t pick_color(bool is_dynamic_a, bool is_dynamic_b, std::uint32_t used
 /// The world itself counts as a body that is not dynamic.
 bool is_dynamic(const BodyStore& bodies, std::uint32_t body) { return body != null_index && bodies.is_dynamic(body); }
 
+/// @param mask where a body holds the colours of such constraints
+template <class Constraint>
+void give(Constraint& constraint, BodyStore& bodies, std::uint32_t BodyRecord::* mask)
+{
+    const bool is_dynamic_a = is_dynamic(bodies, constraint.body_a);
+    const bool is_dynamic_b = is_dynamic(bodies, constraint.body_b);
+    const std::uint32_t used = (is_dynamic_a ? bodies.records[constraint.body_a].*mask : 0) | //
+                               (is_dynamic_b ? bodies.records[constraint.body_b].*mask : 0);
+    constraint.color = pick_color(is_dynamic_a, is_dynamic_b, used);
+    if (constraint.color == overflow_color) return;
+    if (is_dynamic_a) bodies.records[constraint.body_a].*mask |= std::uint32_t{1} << constraint.color;
+    if (is_dynamic_b) bodies.records[constraint.body_b].*mask |= std::uint32_t{1} << constraint.color;
+}
+
+template <class Constraint>
+void take(Constraint& constraint, BodyStore& bodies, std::uint32_t BodyRecord::* mask)
+{
+    if (constraint.color == no_color) return;
+    if (constraint.color != overflow_color)
+    {
+        const std::uint32_t keep = ~(std::uint32_t{1} << constraint.color);
+        if (is_dynamic(bodies, constraint.body_a)) bodies.records[constraint.body_a].*mask &= keep;
+        if (is_dynamic(bodies, constraint.body_b)) bodies.records[constraint.body_b].*mask &= keep;
+    }
+    constraint.color = no_color;
+}
+
 } // namespace
 
-template <class Kind>
-void GraphColors<Kind>::add(std::uint32_t constraint, Store& store, BodyStore& bodies)
+void give_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies)
 {
-    auto& pair = Kind::constraints(store)[constraint];
-    const bool is_dynamic_a = is_dynamic(bodies, pair.body_a);
-    const bool is_dynamic_b = is_dynamic(bodies, pair.body_b);
-    const std::uint32_t used = (is_dynamic_a ? Kind::mask(bodies.records[pair.body_a]) : 0) | //
-                               (is_dynamic_b ? Kind::mask(bodies.records[pair.body_b]) : 0);
-
-    const std::uint8_t color = pick_color(is_dynamic_a, is_dynamic_b, used);
-    std::pmr::vector<std::uint32_t>& list = colors_[color];
-    if (list.capacity() == 0) list.reserve(least_capacity);
-    list.push_back(constraint); // may throw: nothing has changed before
-    pair.index_in_color = static_cast<std::uint32_t>(list.size() - 1);
-    pair.color = color;
-    if (color == overflow_color) return;
-    if (is_dynamic_a) Kind::mask(bodies.records[pair.body_a]) |= std::uint32_t{1} << color;
-    if (is_dynamic_b) Kind::mask(bodies.records[pair.body_b]) |= std::uint32_t{1} << color;
+    give(contacts.contacts[contact], bodies, &BodyRecord::color_mask);
 }
 
-template <class Kind>
-void GraphColors<Kind>::remove(std::uint32_t constraint, Store& store, BodyStore& bodies)
+void give_color(std::uint32_t joint, JointStore& joints, BodyStore& bodies)
 {
-    auto& constraints = Kind::constraints(store);
-    auto& pair = constraints[constraint];
-    if (pair.color == no_color) return;
-    if (pair.color != overflow_color)
-    {
-        const std::uint32_t keep = ~(std::uint32_t{1} << pair.color);
-        if (is_dynamic(bodies, pair.body_a)) Kind::mask(bodies.records[pair.body_a]) &= keep;
-        if (is_dynamic(bodies, pair.body_b)) Kind::mask(bodies.records[pair.body_b]) &= keep;
-    }
-    std::pmr::vector<std::uint32_t>& list = colors_[pair.color];
-    const std::uint32_t last = list.back();
-    list[pair.index_in_color] = last;
-    constraints[last].index_in_color = pair.index_in_color;
-    list.pop_back();
-    pair.color = no_color;
+    give(joints.joints[joint], bodies, &BodyRecord::joint_color_mask);
 }
 
-template <class Kind>
-int GraphColors<Kind>::used_colors() const
+void take_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies)
+{
+    take(contacts.contacts[contact], bodies, &BodyRecord::color_mask);
+}
+
+void take_color(std::uint32_t joint, JointStore& joints, BodyStore& bodies)
+{
+    take(joints.joints[joint], bodies, &BodyRecord::joint_color_mask);
+}
+
+ColorLists::ColorLists(const ContactStore& contacts, std::pmr::memory_resource& memory) : constraints_(&memory)
+{
+    sort(contacts.awake, [&](std::uint32_t contact) { return contacts.contacts[contact].color; });
+}
+
+ColorLists::ColorLists(const JointStore& joints, std::pmr::memory_resource& memory) : constraints_(&memory)
+{
+    sort(joints.active, [&](std::uint32_t joint) { return joints.joints[joint].color; });
+}
+
+/// By counting.
+template <class ColorOf>
+void ColorLists::sort(std::span<const std::uint32_t> constraints, const ColorOf& color_of)
+{
+    for (const std::uint32_t constraint : constraints)
+        if (const std::uint8_t color = color_of(constraint); color != no_color) ++begin_[color + std::size_t{1}];
+    for (std::size_t color = 0; color < color_count; ++color) begin_[color + 1] += begin_[color];
+    constraints_.resize(begin_[color_count]);
+    std::array<std::uint32_t, color_count + 1> next = begin_;
+    for (const std::uint32_t constraint : constraints)
+        if (const std::uint8_t color = color_of(constraint); color != no_color) constraints_[next[color]++] = constraint;
+}
+
+std::span<const std::uint32_t> ColorLists::list(int color) const
+{
+    const auto at = static_cast<std::size_t>(color);
+    return std::span(constraints_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
+}
+
+int ColorLists::used_colors() const
 {
     int used = 0;
     for (int color = 0; color < overflow_color; ++color) used += list(color).empty() ? 0 : 1;
     return used;
 }
-
-template class GraphColors<ContactColoring>;
-template class GraphColors<JointColoring>;
 
 } // namespace carom::detail

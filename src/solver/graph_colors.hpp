@@ -5,6 +5,7 @@
 #include "dynamics/contact_store.hpp"
 #include "dynamics/joint_store.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
@@ -17,48 +18,35 @@ namespace carom::detail
 inline constexpr int color_count = 32;
 inline constexpr int overflow_color = color_count - 1;
 
-/// Keeps the colour of every constraint that the solver works on; it keeps it as long as the solver does. Each body holds a mask of the
-/// colours of its constraints, so a free colour is one bit operation away. Only dynamic bodies count: nothing is written to others.
-/// @tparam Kind tells where the constraints and the masks are; contacts and joints are coloured apart
-template <class Kind>
-class GraphColors
+/// Gives a constraint a colour, which it keeps for as long as the solver works on it. Each body holds a mask of the colours of its contacts, and one of
+/// those of its joints, so a free colour is one bit operation away. Only dynamic bodies count: nothing is written to others. Constraints
+/// between two dynamic bodies take the lowest free colour, those with the ground the highest: they are solved last of a pass, so that a pile sinks into
+/// its neighbours rather than into the ground.
+void give_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies);
+void give_color(std::uint32_t joint, JointStore& joints, BodyStore& bodies);
+/// Does nothing to a constraint without a colour.
+void take_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies);
+void take_color(std::uint32_t joint, JointStore& joints, BodyStore& bodies);
+
+/// The constraints of a step, colour by colour, each list in the order of the store's own list.
+class ColorLists
 {
 public:
-    using Store = typename Kind::Store;
+    /// Contacts that are awake and have a colour.
+    ColorLists(const ContactStore& contacts, std::pmr::memory_resource& memory);
+    /// Joints that are active.
+    ColorLists(const JointStore& joints, std::pmr::memory_resource& memory);
 
-    explicit GraphColors(std::pmr::memory_resource& memory) : colors_(&memory) { colors_.resize(color_count); }
-
-    /// Constraints between two dynamic bodies take the lowest free colour, those with the ground the highest: they are solved last
-    /// of a pass, so that a pile sinks into its neighbours rather than into the ground.
-    void add(std::uint32_t constraint, Store& store, BodyStore& bodies);
-    /// Does nothing to a constraint without a colour.
-    void remove(std::uint32_t constraint, Store& store, BodyStore& bodies);
-
-    std::span<const std::uint32_t> list(int color) const { return colors_[static_cast<std::size_t>(color)]; }
-    int used_colors() const;
+    std::span<const std::uint32_t> list(int color) const;
+    int used_colors() const; ///< without the overflow
+    std::size_t size() const { return constraints_.size(); }
 
 private:
-    std::pmr::vector<std::pmr::vector<std::uint32_t>> colors_;
+    template <class ColorOf>
+    void sort(std::span<const std::uint32_t> constraints, const ColorOf& color_of);
+
+    std::array<std::uint32_t, color_count + 1> begin_ = {};
+    std::pmr::vector<std::uint32_t> constraints_;
 };
-
-struct ContactColoring
-{
-    using Store = ContactStore;
-    static auto& constraints(Store& store) { return store.contacts; }
-    static std::uint32_t& mask(BodyRecord& body) { return body.color_mask; }
-};
-
-struct JointColoring
-{
-    using Store = JointStore;
-    static auto& constraints(Store& store) { return store.joints; }
-    static std::uint32_t& mask(BodyRecord& body) { return body.joint_color_mask; }
-};
-
-using ContactColors = GraphColors<ContactColoring>;
-using JointColors = GraphColors<JointColoring>;
-
-extern template class GraphColors<ContactColoring>;
-extern template class GraphColors<JointColoring>;
 
 } // namespace carom::detail

@@ -100,14 +100,16 @@ struct RandomNet
         for (ControlImpulses& c : joint.controls) c = {from(-1, 1), from(-1, 1), from(0, 1), from(0, 1)};
         joint.drive = {from(-1, 1), from(-1, 1)};
         joint.force = coin() ? Vec2{} : Vec2{from(-5000, 5000), from(-5000, 5000)};
-        colors.add(joints.create(joint, bodies), joints, bodies);
+        const std::uint32_t slot = joints.create(joint, bodies);
+        give_color(slot, joints, bodies);
+        joints.activate(slot);
     }
 
     static constexpr std::uint32_t body_count = 60;
     std::mt19937 engine;
     BodyStore bodies{*std::pmr::new_delete_resource()};
     JointStore joints{*std::pmr::new_delete_resource()};
-    JointColors colors{*std::pmr::new_delete_resource()};
+    ColorLists colors() const { return {joints, *std::pmr::new_delete_resource()}; }
 };
 
 template <class F>
@@ -118,7 +120,7 @@ void run(RandomNet& net)
     std::span<BodyMotion> motions = net.bodies.motions;
     for (int step = 0; step < 2; ++step)
     {
-        solver.build(net.colors, net.bodies, net.joints, make_joint_constants({}, h, step == 0 ? h / 2 : h));
+        solver.build(net.colors(), net.bodies, net.joints, make_joint_constants({}, h, step == 0 ? h / 2 : h));
         for (int substep = 0; substep < 3; ++substep)
         {
             solver.warm_start(motions);
@@ -164,7 +166,7 @@ TEST(JointLanes, FourLanesGiveTheBitsOfOne)
     {
         RandomNet one(seed);
         RandomNet four(seed);
-        ASSERT_FALSE(one.colors.list(overflow_color).empty());
+        ASSERT_FALSE(one.colors().list(overflow_color).empty());
         run<float>(one);
         run<FourLanes>(four);
         expect_same_bits(one, four);

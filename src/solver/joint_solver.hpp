@@ -31,7 +31,7 @@ public:
     }
 
     /// Makes a row of every joint that has a colour.
-    void build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants);
+    void build(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants);
 
     void warm_start(std::span<BodyMotion> motions);
     void solve(std::span<BodyMotion> motions);
@@ -53,7 +53,7 @@ private:
 
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
-    void find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h);
+    void find_inertias(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, float h);
     void plan_articulation();
     void factor();
     template <bool WithBias>

@@ -21,8 +21,7 @@ inline constexpr float most_correction = 2 * max_bias;
 inline constexpr float most_correction_turn = 0.1f;
 
 template <class F>
-void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, const JointStore& joints,
-                           const JointStepConstants& constants)
+void JointSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, const JointStepConstants& constants)
 {
     rows_.clear();
     articulation_.joints.clear();
@@ -64,7 +63,7 @@ void JointSolver<F>::build(const JointColors& colors, const BodyStore& bodies, c
 
 /// What each body opposes to turning by joints.
 template <class F>
-void JointSolver<F>::find_inertias(const JointColors& colors, const BodyStore& bodies, const JointStore& joints, float h)
+void JointSolver<F>::find_inertias(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, float h)
 {
     inv_inertia_.assign(bodies.masses.size(), 0);
     make_room(corrections_, bodies.masses.size()); // so that joints may come far off in a warm world

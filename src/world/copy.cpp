@@ -34,8 +34,6 @@ void copy_state(WorldState& to, const WorldState& from)
     to.joints = from.joints;
     to.islands = from.islands;
     to.pairs = from.pairs;
-    to.colors = from.colors;
-    to.joint_colors = from.joint_colors;
     to.must_review = from.must_review;
     to.step_count = from.step_count;
     to.last_substep = from.last_substep;

@@ -173,7 +173,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact)
         wake_body(world, pair.body_b);
         world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
     }
-    world.colors.remove(contact, world.contacts, world.bodies);
+    take_color(contact, world.contacts, world.bodies);
     world.pairs.erase({pair.shape_a, pair.shape_b});
     world.contacts.destroy(contact, world.bodies);
 }

@@ -118,7 +118,7 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
         const detail::Contact& contact = contacts.contacts[slot];
         if (!contact.is_live) continue;
         const detail::ContactManifold& manifold = contacts.manifolds[slot];
-        hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.index_in_color, contact.is_touching);
+        hasher.add_all(contact.shape_a, contact.shape_b, int{contact.color}, contact.is_touching);
         hasher.add_all(contact.next[0], contact.next[1], contact.place_in_awake);
         if (contact.is_passing || contact.is_hitting || contact.is_overridden)
             hasher.add_all(contact.is_passing, contact.is_hitting, contact.is_overridden);
@@ -174,7 +174,7 @@ void add_joints(Hasher& hasher, const detail::JointStore& joints)
         if (!joints.slots.is_live(slot)) continue;
         const detail::Joint& joint = joints.joints[slot];
         hasher.add_all(joint.body_a, joint.body_b, joint.next[0], joint.next[1], joint.collide_connected, joint.break_force,
-                       joint.break_torque, int{joint.color}, joint.index_in_color, joint.angle, joint.gear_slip, joint.drive, joint.force);
+                       joint.break_torque, int{joint.color}, joint.place_in_active, joint.angle, joint.gear_slip, joint.drive, joint.force);
         add(hasher, joint.frame_a), add(hasher, joint.frame_b);
         add_spec(hasher, joint.spec);
         for (const float impulse : joint.rigid) hasher.add(impulse);

@@ -21,9 +21,9 @@ bool should_be_active(const WorldState& world, const Joint& joint)
 void retire_joint(WorldState& world, std::uint32_t slot)
 {
     Joint& joint = world.joints.joints[slot];
-    if (!joint.is_active) return;
-    world.joint_colors.remove(slot, world.joints, world.bodies);
-    joint.is_active = false;
+    if (!joint.is_active()) return;
+    take_color(slot, world.joints, world.bodies);
+    world.joints.deactivate(slot);
 }
 
 void refresh_joint(WorldState& world, std::uint32_t slot)
@@ -31,9 +31,9 @@ void refresh_joint(WorldState& world, std::uint32_t slot)
     Joint& joint = world.joints.joints[slot];
     const bool should = should_be_active(world, joint);
     if (!should) return retire_joint(world, slot);
-    if (joint.is_active) return;
-    world.joint_colors.add(slot, world.joints, world.bodies);
-    joint.is_active = true;
+    if (joint.is_active()) return;
+    give_color(slot, world.joints, world.bodies);
+    world.joints.activate(slot);
     if (joint.body_a == null_index) return;
     const bool are_dynamic = world.bodies.is_dynamic(joint.body_a) && world.bodies.is_dynamic(joint.body_b);
     if (are_dynamic) world.islands.link(joint.body_a, joint.body_b, world.bodies);

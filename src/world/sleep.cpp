@@ -64,7 +64,7 @@ void deactivate(WorldState& world, std::uint32_t body)
     for_each_contact(world, body, [&](std::uint32_t contact, std::uint32_t other)
     {
         if (world.bodies.is_active(other)) return;
-        world.colors.remove(contact, world.contacts, world.bodies);
+        take_color(contact, world.contacts, world.bodies);
         world.contacts.put_to_sleep(contact);
     });
 }

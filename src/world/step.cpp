@@ -5,6 +5,7 @@
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "profile/stage_timer.hpp"
+#include "solver/contact_solver.hpp"
 #include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
 #include "solver/softness.hpp"
@@ -29,7 +30,7 @@ void apply_changes(WorldState& world, const ContactChanges& changes)
     for (const std::uint32_t contact : changes.lost_points)
     {
         const Contact& pair = world.contacts.contacts[contact];
-        world.colors.remove(contact, world.contacts, world.bodies);
+        take_color(contact, world.contacts, world.bodies);
         world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
     }
     for (const std::uint32_t contact : changes.separated) destroy_contact(world, contact);
@@ -38,7 +39,7 @@ void apply_changes(WorldState& world, const ContactChanges& changes)
         const Contact& pair = world.contacts.contacts[contact];
         wake_body(world, pair.body_a);
         wake_body(world, pair.body_b);
-        world.colors.add(contact, world.contacts, world.bodies);
+        give_color(contact, world.contacts, world.bodies);
         if (world.bodies.is_dynamic(pair.body_a) && world.bodies.is_dynamic(pair.body_b))
             world.islands.link(pair.body_a, pair.body_b, world.bodies);
     }
@@ -58,12 +59,11 @@ void disable(WorldState& world, std::span<const std::uint32_t> not_finite)
 void break_joints(WorldState& world)
 {
     std::pmr::vector<std::uint32_t> broken(&world.arena);
-    for (int color = 0; color < color_count; ++color)
-        for (const std::uint32_t slot : world.joint_colors.list(color))
-        {
-            const Joint& joint = world.joints.joints[slot];
-            if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) broken.push_back(slot);
-        }
+    for (const std::uint32_t slot : world.joints.active)
+    {
+        const Joint& joint = world.joints.joints[slot];
+        if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) broken.push_back(slot);
+    }
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t slot : broken)
     {
@@ -72,17 +72,19 @@ void break_joints(WorldState& world)
     }
 }
 
-void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps, ContinuousCollision& continuous)
+void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps, const ColorLists& contacts,
+                        ContinuousCollision& continuous)
 {
     const float h = dt / static_cast<float>(substeps);
     const ContactConstants constants = make_contact_constants(world.tuning, dt, h, world.last_substep);
     BodyStore& bodies = world.bodies;
-    ContactSolver<float>& solver = world.solver;
+    ContactSolver<float> solver(world.arena);
     JointSolver<float>& joints = world.joint_solver;
     {
         StageTimer timer(report, Stage::BuildRows);
-        joints.build(world.joint_colors, bodies, world.joints, make_joint_constants(world.tuning, h, world.last_substep));
-        solver.build(world.colors, bodies, world.contacts, constants);
+        joints.build(ColorLists(world.joints, world.arena), bodies, world.joints,
+                     make_joint_constants(world.tuning, h, world.last_substep));
+        solver.build(contacts, bodies, world.contacts, constants);
     }
     {
         StageTimer timer(report, Stage::Restitution);
@@ -133,14 +135,14 @@ void integrate_substeps(WorldState& world, StepReport& report, float dt, int sub
     world.last_substep = h;
 }
 
-void count(const WorldState& world, std::size_t allocations_before, StepReport& report)
+void count(const WorldState& world, const ColorLists& contacts, std::size_t allocations_before, StepReport& report)
 {
     report.bodies = world.bodies.slots.live_count();
     report.shapes = world.shapes.slots.live_count();
     report.pairs = world.contacts.slots.live_count();
-    report.colors = world.colors.used_colors();
-    report.overflow_rows = static_cast<int>(world.colors.list(overflow_color).size());
-    for (int color = 0; color < color_count; ++color) report.rows += static_cast<int>(world.colors.list(color).size());
+    report.colors = contacts.used_colors();
+    report.overflow_rows = static_cast<int>(contacts.list(overflow_color).size());
+    report.rows = static_cast<int>(contacts.size());
     report.memory = memory_report(world);
     report.allocations = world.memory.stats().allocations - allocations_before;
     report.quarantined = world.quarantined;
@@ -170,7 +172,12 @@ StepReport step(WorldState& world, float dt, int substeps)
         ask_pre_solve(world, changes);
         apply_changes(world, changes);
     }
-    if (dt > 0) integrate_substeps(world, report, dt, substeps, continuous);
+    const ColorLists colors = [&]
+    {
+        StageTimer timer(report, Stage::BuildRows);
+        return ColorLists(world.contacts, world.arena);
+    }();
+    if (dt > 0) integrate_substeps(world, report, dt, substeps, colors, continuous);
     {
         StageTimer timer(report, Stage::EmitEvents);
         report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events);
@@ -184,7 +191,7 @@ StepReport step(WorldState& world, float dt, int substeps)
     }
     assert(first_fault(world).empty());
     ++world.step_count;
-    count(world, allocations_before, report);
+    count(world, colors, allocations_before, report);
     report.seconds = std::chrono::duration<double>(StageTimer::Clock::now() - start).count();
     return report;
 }

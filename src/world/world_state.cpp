@@ -52,11 +52,8 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       islands(memory_for(MemoryCategory::Islands)),
       pairs(memory_for(MemoryCategory::Contacts)),
       broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory_for(MemoryCategory::BroadPhase))),
-      colors(memory_for(MemoryCategory::Solver)),
-      joint_colors(memory_for(MemoryCategory::Solver)),
       events(memory_for(MemoryCategory::Events)),
       quarantined(&memory_for(MemoryCategory::Events)),
-      solver(memory_for(MemoryCategory::Solver)),
       joint_solver(memory_for(MemoryCategory::Solver)),
       field_forces(memory_for(MemoryCategory::Solver)),
       arena(first_arena, &memory_for(MemoryCategory::Scratch))

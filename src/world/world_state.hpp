@@ -11,8 +11,6 @@
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "fields/field_store.hpp"
-#include "solver/contact_solver.hpp"
-#include "solver/graph_colors.hpp"
 #include "solver/joint_solver.hpp"
 #include "world/event_buffers.hpp"
 
@@ -58,8 +56,6 @@ struct WorldState
     IslandStore islands;
     PairSet pairs; ///< of the contacts
     BroadPhasePtr broad_phase;
-    ContactColors colors;
-    JointColors joint_colors;
 
     bool must_review = false; ///< an edit may have left contacts awake of which no body is
 
@@ -70,7 +66,6 @@ struct WorldState
     float last_substep = 0; ///< [s]; 0 before the first
 
     // Kept so that they need not grow again.
-    ContactSolver<float> solver;
     JointSolver<float> joint_solver;
     FieldForces field_forces;
     LinearResource arena; ///< scratch of a step, and of nothing else

@@ -16,18 +16,18 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdd748a15be11db95},
-    SceneHash{"collisions", 0xeb67ce56364fa2a4},    SceneHash{"gravity", 0x4d62e791b916f046},
-    SceneHash{"queries", 0x145406711d8dd151},       SceneHash{"character", 0x857d68e194b0e773},
-    SceneHash{"chain-terrain", 0x47df88e0c3e36ae2}, SceneHash{"tiles", 0xb1e8a99a62e0d769},
-    SceneHash{"one-way", 0x87a1164c0111541e},       SceneHash{"bullets", 0xb2001786cbac86c5},
-    SceneHash{"sleep", 0xcd6361869a137139},         SceneHash{"bridge", 0xa316be613bd44876},
-    SceneHash{"domino", 0x22618e3fdde5b3dd},        SceneHash{"newton-cradle", 0x77d3b57055ad4ca0},
-    SceneHash{"card-house", 0xc262a3fd61c0e573},    SceneHash{"arch", 0xecf027701c45731b},
-    SceneHash{"joints", 0x9f46aee96d69a874},        SceneHash{"ragdolls", 0x885dc8fd3f0e6713},
-    SceneHash{"car", 0x34528da1d6240a86},           SceneHash{"mass-ratio", 0xb1d649cf6bd889ec},
+    SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdce2d667fe27e555},
+    SceneHash{"collisions", 0xf03ba3b745ac0d65},    SceneHash{"gravity", 0x8c78ba6e88bcde98},
+    SceneHash{"queries", 0x8fc113a3c81b23c1},       SceneHash{"character", 0xc8b3667b5c82dca1},
+    SceneHash{"chain-terrain", 0xd20981cb6fd7c93f}, SceneHash{"tiles", 0x85d3ac19385e9673},
+    SceneHash{"one-way", 0x47710e96f90fc015},       SceneHash{"bullets", 0xd3cc0b163188e0f1},
+    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0x4f763b44f8b29a98},
+    SceneHash{"domino", 0x98b68e0cbf1c8e73},        SceneHash{"newton-cradle", 0x7d2905fee7c73d3b},
+    SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
+    SceneHash{"joints", 0x83ae850a97bedeb1},        SceneHash{"ragdolls", 0x10b7131667940494},
+    SceneHash{"car", 0x846f38dc057e05d1},           SceneHash{"mass-ratio", 0x9e1869b6112eb11c},
 };
 
-inline constexpr std::uint64_t mixed_world = 0xf136751a147692bc;
+inline constexpr std::uint64_t mixed_world = 0x4ab4991939695407;
 
 } // namespace carom::golden
