@@ -129,6 +129,12 @@ ordered_json run_json(const scenes::Scene& scene, const lab::RunResult& result)
     json["memory"] = {{"bytes", result.last.memory.total.bytes},
                       {"peak_bytes", result.last.memory.total.peak_bytes},
                       {"heap_allocations_per_step", result.heap_allocations_per_step}};
+    for (std::size_t i = 0; i < memory_category_count; ++i)
+    {
+        const MemoryStats& part = result.last.memory.categories[i];
+        json["memory"]["categories"][std::string(name_of(static_cast<MemoryCategory>(i)))] = {{"bytes", part.bytes},
+                                                                                              {"peak_bytes", part.peak_bytes}};
+    }
     json["version"] = CAROM_VERSION;
     json["compiler"] = compiler_name();
     json["build_type"] = build_type();
@@ -155,6 +161,13 @@ std::string run_table(const scenes::Scene& scene, const lab::RunResult& result)
     text += "\nmemory\n";
     text += formatted("  %-22s %s, at most %s\n", "of the world", bytes_text(result.last.memory.total.bytes).c_str(),
                       bytes_text(result.last.memory.total.peak_bytes).c_str());
+    for (std::size_t i = 0; i < memory_category_count; ++i)
+    {
+        const MemoryStats& part = result.last.memory.categories[i];
+        if (part.peak_bytes == 0) continue;
+        text += formatted("    %-20s %s, at most %s\n", std::string(name_of(static_cast<MemoryCategory>(i))).c_str(),
+                          bytes_text(part.bytes).c_str(), bytes_text(part.peak_bytes).c_str());
+    }
     text += formatted("  %-22s %g\n", "heap allocations/step", result.heap_allocations_per_step);
     text += "\nhash of the world        " + hash_text(result.hash) + "\n";
     return text;

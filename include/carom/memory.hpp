@@ -61,6 +61,10 @@ public:
     /// between two resets and half as much again: what repeats itself is soon served by one chunk.
     void reset();
 
+    /// Takes a chunk now unless so many bytes are left in the one in use.
+    /// @throws std::bad_alloc when a fixed buffer has not as many
+    void reserve(std::size_t bytes);
+
     MemoryStats stats() const { return stats_; }       ///< `bytes` and `blocks` since the last reset
     std::size_t used() const;                          ///< bytes of the chunks that blocks, and gaps for their alignment, take up
     std::size_t high_water() const;                    ///< most that was ever used between two resets [bytes]

@@ -49,7 +49,7 @@ struct SleepTuning
     friend bool operator==(const SleepTuning&, const SleepTuning&) = default;
 };
 
-/// Room to set aside at the start, so that a world need not grow while it runs.
+/// Room to set aside at the start, so that a world without joints, with the default broad phase, need not grow while it runs.
 struct CapacityHints
 {
     int bodies = 0;

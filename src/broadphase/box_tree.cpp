@@ -38,6 +38,18 @@ BoxTree::BoxTree(std::pmr::memory_resource& memory)
 {
 }
 
+void BoxTree::reserve(std::size_t proxies)
+{
+    const std::size_t nodes = proxies / 2 + 8; // all levels but the topmost are full: a third is usual
+    boxes_.reserve(nodes);
+    nodes_.reserve(nodes);
+    touched_.reserve(nodes / 64 + 1);
+    moved_nodes_.reserve(nodes);
+    place_of_.reserve(proxies);
+    waiting_.reserve(proxies);
+    items_.reserve(proxies);
+}
+
 void BoxTree::insert(ProxyIndex proxy, const Aabb& box)
 {
     if (proxy >= place_of_.size()) place_of_.resize(proxy + std::size_t{1}, none);

@@ -37,6 +37,7 @@ public:
     explicit BoxTree(std::pmr::memory_resource& memory);
 
     bool holds(ProxyIndex proxy) const { return proxy < place_of_.size() && place_of_[proxy] != none; }
+    void reserve(std::size_t proxies);
     void insert(ProxyIndex proxy, const Aabb& box);
     void remove(ProxyIndex proxy);
     void update(ProxyIndex proxy, const Aabb& box);

@@ -82,6 +82,9 @@ public:
 
     virtual BroadPhaseType type() const = 0;
 
+    /// Room for so many proxies, so that fewer do not make it grow; not all implementations know how.
+    virtual void reserve(std::size_t /*proxies*/) {}
+
     /// @param proxy not in yet
     virtual void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) = 0;
     virtual void remove(ProxyIndex proxy) = 0;

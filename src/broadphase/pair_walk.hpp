@@ -12,6 +12,7 @@ class PairWalk
 {
 public:
     explicit PairWalk(std::pmr::memory_resource& memory) : stack_(&memory) {}
+    void reserve() { stack_.reserve(256); } ///< deep enough for any tree
 
     /// Appends each pair of proxies of the tree that overlap and of which at least one moved.
     void within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs);

@@ -33,6 +33,13 @@ void append_nodes(const BoxTree& tree, std::vector<BroadPhaseNode>& nodes)
 
 } // namespace
 
+void Tree::reserve(std::size_t proxies)
+{
+    moving_.reserve(proxies);
+    static_.reserve(proxies);
+    walk_.reserve();
+}
+
 void Tree::insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind)
 {
     (kind == ProxyKind::Moving ? moving_ : static_).insert(proxy, box);

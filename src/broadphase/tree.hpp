@@ -15,6 +15,7 @@ public:
     Tree(const BroadPhaseOptions&, std::pmr::memory_resource& memory) : moving_(memory), static_(memory), walk_(memory) {}
 
     BroadPhaseType type() const override { return BroadPhaseType::Tree; }
+    void reserve(std::size_t proxies) override;
     void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
     void remove(ProxyIndex proxy) override;
     void update(ProxyIndex proxy, const Aabb& box) override;

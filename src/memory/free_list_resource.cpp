@@ -16,7 +16,8 @@ namespace
 /// Sizes and places of blocks are multiples of this [bytes].
 constexpr std::size_t unit = 16;
 
-std::size_t round_up(std::size_t bytes, std::size_t to) { return (bytes + to - 1) / to * to; }
+/// @param to a power of two
+std::size_t round_up(std::size_t bytes, std::size_t to) { return (bytes + to - 1) & ~(to - 1); }
 
 std::uintptr_t address(const void* p) { return reinterpret_cast<std::uintptr_t>(p); }
 

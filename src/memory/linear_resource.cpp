@@ -19,12 +19,8 @@ namespace
 
 constexpr std::size_t least_chunk = 256;
 
-/// How far a pointer is from the next aligned one.
-std::size_t gap_to_alignment(const std::byte* p, std::size_t alignment)
-{
-    const auto address = reinterpret_cast<std::uintptr_t>(p);
-    return (alignment - address % alignment) % alignment;
-}
+/// How far a pointer is from the next aligned one. Alignments are powers of two.
+std::size_t gap_to_alignment(const std::byte* p, std::size_t alignment) { return -reinterpret_cast<std::uintptr_t>(p) & (alignment - 1); }
 
 } // namespace
 
@@ -61,6 +57,13 @@ void LinearResource::reset()
     }
     used_before_ = 0;
     next_ = begin_;
+}
+
+void LinearResource::reserve(std::size_t bytes)
+{
+    if (bytes <= static_cast<std::size_t>(end_ - next_)) return;
+    if (!upstream_) detail::raise<std::bad_alloc>();
+    add_chunk(bytes);
 }
 
 void* LinearResource::do_allocate(std::size_t bytes, std::size_t alignment)

@@ -204,6 +204,21 @@ TEST(LinearResource, IsServedByOneChunkOnceItKnowsHowMuchIsNeeded)
     EXPECT_EQ(upstream.bytes, bytes);
 }
 
+TEST(LinearResource, ReservesAhead)
+{
+    Upstream upstream;
+    LinearResource linear(256, &upstream);
+    linear.reserve(5000);
+    const std::size_t bytes = upstream.bytes;
+    EXPECT_GE(bytes, 5000u);
+    (void)linear.allocate(5000, 1);
+    EXPECT_EQ(upstream.bytes, bytes);
+    std::array<std::byte, 100> buffer;
+    LinearResource fixed(buffer);
+    fixed.reserve(100);
+    EXPECT_THROW(fixed.reserve(101), std::bad_alloc);
+}
+
 TEST(LinearResource, TakesBackTheLastBlock)
 {
     std::array<std::byte, 256> buffer;

@@ -27,6 +27,7 @@ void JointSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, co
     articulation_.joints.clear();
     constants_ = {F(constants.h), F(constants.inv_h), F(constants.rigid.bias_rate), F(constants.rigid.mass_scale),
                   F(constants.rigid.impulse_scale)};
+    if (colors.size() == 0) return;
     find_inertias(colors, bodies, joints, constants.h);
     // A row's lanes hold joints of one type and one colour; those that found no colour depend on each other and get a lane each.
     for (int color = color_count; color-- > 0;)

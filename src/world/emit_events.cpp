@@ -2,7 +2,6 @@
 #include "world/event_buffers.hpp"
 
 #include "geometry/manifold.hpp"
-#include "memory/make_room.hpp"
 
 #include <algorithm>
 
@@ -159,15 +158,10 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
                 EventBuffers& events)
 {
     const std::uint32_t world = rules.world;
-    events.contact_begin.clear();
-    events.contact_persist.clear();
-    events.contact_hit.clear();
-    events.sensor_begin.clear();
-    events.sensor_persist.clear();
-    events.contact_end.clear();
-    events.sensor_end.clear();
-    events.contact_end.swap(events.pending_contact_end);
-    events.sensor_end.swap(events.pending_sensor_end);
+    events.contact_end.assign(events.pending_contact_end.begin(), events.pending_contact_end.end());
+    events.sensor_end.assign(events.pending_sensor_end.begin(), events.pending_sensor_end.end());
+    events.pending_contact_end.clear();
+    events.pending_sensor_end.clear();
 
     for (const std::uint32_t slot : contacts.awake)
     {
@@ -193,13 +187,6 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
         add_sensor_events(passing, shapes, world, events.sensor_begin);
         add_sensor_events(passing, shapes, world, events.pending_sensor_end);
     }
-    keep_headroom(events.contact_begin);
-    keep_headroom(events.contact_persist);
-    keep_headroom(events.contact_end);
-    keep_headroom(events.contact_hit);
-    keep_headroom(events.sensor_begin);
-    keep_headroom(events.sensor_persist);
-    keep_headroom(events.sensor_end);
     sort_contacts(events.contact_begin);
     sort_contacts(events.contact_persist);
     sort_contacts(events.contact_end);

@@ -7,8 +7,10 @@
 #include "solver/continuous.hpp"
 
 #include <carom/events.hpp>
+#include <carom/memory.hpp>
 
 #include <memory_resource>
+#include <type_traits>
 #include <vector>
 
 namespace carom::detail
@@ -18,13 +20,14 @@ namespace carom::detail
 struct EventBuffers
 {
     explicit EventBuffers(std::pmr::memory_resource& memory)
-        : contact_begin(&memory),
-          contact_persist(&memory),
-          contact_end(&memory),
-          contact_hit(&memory),
-          sensor_begin(&memory),
-          sensor_persist(&memory),
-          sensor_end(&memory),
+        : arena(first_arena, &memory),
+          contact_begin(&arena),
+          contact_persist(&arena),
+          contact_end(&arena),
+          contact_hit(&arena),
+          sensor_begin(&arena),
+          sensor_persist(&arena),
+          sensor_end(&arena),
           pending_contact_end(&memory),
           pending_sensor_end(&memory),
           joint_break(&memory),
@@ -36,18 +39,17 @@ struct EventBuffers
     /// Forgets the last step.
     void clear()
     {
-        contact_begin.clear();
-        contact_persist.clear();
-        contact_end.clear();
-        contact_hit.clear();
-        sensor_begin.clear();
-        sensor_persist.clear();
-        sensor_end.clear();
+        const auto renew = [this](auto& list) { list = std::remove_reference_t<decltype(list)>(&arena); };
+        renew(contact_begin), renew(contact_persist), renew(contact_end), renew(contact_hit);
+        renew(sensor_begin), renew(sensor_persist), renew(sensor_end);
+        arena.reset();
         joint_break.clear();
         fell_asleep.clear();
         woke.clear();
     }
 
+    static constexpr std::size_t first_arena = 4096; // [bytes]; it learns how much a step tells
+    LinearResource arena;                            ///< of the lists that a step fills
     std::pmr::vector<ContactBegin> contact_begin;
     std::pmr::vector<ContactPersist> contact_persist;
     std::pmr::vector<ContactEnd> contact_end;

@@ -159,12 +159,11 @@ StepReport step(WorldState& world, float dt, int substeps)
     ContactChanges changes(world.arena);
     ContinuousCollision continuous(world.arena);
     world.quarantined.clear();
-    world.events.joint_break.clear();
-    world.events.fell_asleep.clear();
-    world.events.woke.clear();
+    world.events.clear();
     {
         StageTimer timer(report, Stage::FindPairs);
         find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
+        make_room_for_contacts(world);
     }
     {
         StageTimer timer(report, Stage::UpdateManifolds);

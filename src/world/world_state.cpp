@@ -1,6 +1,9 @@
 // Builds an empty world on the user's memory.
 #include "world/world_state.hpp"
 
+#include "memory/make_room.hpp"
+
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -18,6 +21,8 @@ std::uint32_t next_world_number()
     while (number == 0) number = ++last;
     return number;
 }
+
+std::size_t room(int hint) { return static_cast<std::size_t>(hint); }
 
 constexpr std::size_t first_arena = 4096; // [bytes]; it learns how much a step needs
 
@@ -58,13 +63,29 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       field_forces(memory_for(MemoryCategory::Solver)),
       arena(first_arena, &memory_for(MemoryCategory::Scratch))
 {
-    islands.make_room_for(static_cast<std::size_t>(def.capacity.bodies));
-    events.fell_asleep.reserve(static_cast<std::size_t>(def.capacity.bodies));
-    events.woke.reserve(static_cast<std::size_t>(def.capacity.bodies));
-    bodies.reserve(static_cast<std::size_t>(def.capacity.bodies));
-    shapes.reserve(static_cast<std::size_t>(def.capacity.shapes));
-    contacts.reserve(static_cast<std::size_t>(def.capacity.contacts));
-    pairs.reserve(static_cast<std::size_t>(def.capacity.contacts));
+    const std::size_t body_count = room(def.capacity.bodies);
+    const std::size_t shape_count = room(def.capacity.shapes);
+    const std::size_t contact_count = room(def.capacity.contacts);
+    islands.make_room_for(body_count);
+    events.fell_asleep.reserve(body_count);
+    events.woke.reserve(body_count);
+    bodies.reserve(body_count);
+    shapes.reserve(shape_count);
+    broad_phase->reserve(shape_count);
+    contacts.reserve(contact_count);
+    make_room_for_contacts(*this);
+    if (body_count + contact_count > 0) arena.reserve(128 * body_count + 64 * contact_count);
+    events.arena.reserve(128 * contact_count);
+}
+
+void make_room_for_contacts(WorldState& world)
+{
+    const std::size_t wanted = world.contacts.contacts.size() + world.contacts.contacts.size() / 4;
+    if (wanted > world.contacts.contacts.capacity()) world.contacts.reserve(2 * wanted);
+    const std::size_t capacity = world.contacts.contacts.capacity();
+    world.pairs.reserve(capacity);
+    make_room(world.events.pending_contact_end, capacity);
+    make_room(world.events.pending_sensor_end, capacity);
 }
 
 MemoryReport memory_report(const WorldState& world)

@@ -71,6 +71,9 @@ struct WorldState
     LinearResource arena; ///< scratch of a step, and of nothing else
 };
 
+/// Contacts come and go in every step of a busy world: room for a quarter more before it is needed, so that a warm world does not grow.
+void make_room_for_contacts(WorldState& world);
+
 /// What the world holds now, its own object included.
 MemoryReport memory_report(const WorldState& world);
 

@@ -1,0 +1,14 @@
+// Counts what a whole program takes from the heap. Counting needs operator new for itself, so the tests that use it are a program of their own.
+#pragma once
+
+#include <cstddef>
+
+namespace carom
+{
+
+/// Calls of operator new since the program began, in any thread.
+std::size_t heap_allocations();
+/// Bytes from operator new that are in use.
+std::size_t heap_bytes();
+
+} // namespace carom
