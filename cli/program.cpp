@@ -4,6 +4,7 @@
 #include "cli/errors.hpp"
 #include "cli/run_command.hpp"
 #include "cli/scene_list.hpp"
+#include "cli/trace_command.hpp"
 #include "scenes/parameters.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,7 +23,9 @@ const char* const examples = R"(
 Examples:
   carom scenes
   carom run collisions --set circles=1000 --set boxes=1000 --still collisions.png
-  carom run gravity --steps 600 --animation gravity.mp4)";
+  carom run gravity --steps 600 --animation gravity.mp4
+  carom run gravity --trace gravity.json
+  carom trace gravity.json --memory memory.png)";
 
 const char* const run_notes = R"(
 --input FILE is a JSON array of events, each with the step before which it happens (from 0) and a key, or a
@@ -80,8 +83,20 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
     command->add_flag("--json", request->is_json, "Print one JSON object");
     command->add_option("--still", request->still, "Draw the last step into a picture")->type_name("FILE.png");
     command->add_option("--animation", request->animation, "Draw the run into FILE.mp4, .webm or .gif; needs ffmpeg")->type_name("FILE");
+    command
+        ->add_option("--trace", request->trace, "Record a trace for chrome://tracing and ui.perfetto.dev; needs the CMake preset `trace`")
+        ->type_name("FILE.json");
     command->footer(run_notes);
     command->callback([request, &surroundings] { run_command(*request, surroundings); });
+}
+
+void add_trace_command(CLI::App& app, const Surroundings& surroundings)
+{
+    CLI::App* const command = app.add_subcommand("trace", "Sum up a trace that `carom run --trace` wrote");
+    const auto request = std::make_shared<TraceRequest>();
+    command->add_option("trace", request->trace, "The trace: a JSON file in the trace-event format")->required()->type_name("FILE.json");
+    command->add_option("--memory", request->memory, "Draw the memory of each pool over time")->type_name("FILE.png");
+    command->callback([request, &surroundings] { trace_command(*request, surroundings); });
 }
 
 /// CLI11's own words, but for a command that is missing or misnamed, or an option in its place: it calls all of them a missing subcommand.
@@ -89,11 +104,11 @@ std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const 
 {
     const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty();
     if (!lacks_command) return error.what();
-    if (arguments.empty()) return "a command is missing; give scenes or run";
+    if (arguments.empty()) return "a command is missing; give scenes, run or trace";
     const std::string& first = arguments.front();
     if (first.starts_with('-'))
-        return "there is no option \"" + first + "\" before a command; give scenes or run, and its options after it";
-    return "there is no command \"" + first + "\"; give scenes or run";
+        return "there is no option \"" + first + "\" before a command; give scenes, run or trace, and its options after it";
+    return "there is no command \"" + first + "\"; give scenes, run or trace";
 }
 
 int report(const Surroundings& surroundings, const std::exception& error, int status)
@@ -110,6 +125,7 @@ int run_arguments(const std::vector<std::string>& arguments, const Surroundings&
     app.footer(examples);
     add_scenes_command(app, surroundings);
     add_run_command(app, surroundings);
+    add_trace_command(app, surroundings);
     try
     {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse

@@ -12,6 +12,8 @@
 #include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 
+#include <carom/profile.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -50,6 +52,25 @@ void check_formats(const RunRequest& request)
     if (request.animation) animation_format_of(*request.animation);
     if (request.still && scenes::lower_case(std::filesystem::path(*request.still).extension().string()) != ".png")
         throw BadUsage("--still: \"" + *request.still + "\" has an unknown format; give a name that ends in .png");
+}
+
+void check_profiler(const RunRequest& request)
+{
+    if (request.trace && profiler() != Profiler::Chrome) throw BadUsage(std::string("--trace: ") + profile::no_chrome_back_end);
+}
+
+void start_recording()
+{
+    if (const TraceResult result = start_trace(); !result) throw Failure("--trace: " + result.problem);
+}
+
+void write_recording(PendingFile& file, const Surroundings& surroundings)
+{
+    const TraceResult result = write_trace(file.temporary().string());
+    if (!result) throw Failure("--trace: " + result.problem);
+    file.commit();
+    if (result.dropped > 0)
+        surroundings.err << "carom: --trace: " << result.dropped << " events found no room and are not in the file; run fewer steps\n";
 }
 
 std::optional<PendingFile> pending(const char* option, const std::optional<std::string>& path)
@@ -120,16 +141,20 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
 {
     const SceneInfo& info = scenes::find_scene(request.scene);
     check_formats(request);
+    check_profiler(request);
     const int passes = request.animation ? 2 : 1;
     Job job{request, values_from(request, info), request.input ? InputScript::read(*request.input, info) : InputScript(),
             Progress(surroundings.err, surroundings.err_is_terminal, passes * request.steps), surroundings};
     const std::unique_ptr<Scene> scene = job.make();
     std::optional<PendingFile> still = pending("--still", request.still);
     std::optional<PendingFile> animation = pending("--animation", request.animation);
+    std::optional<PendingFile> trace = pending("--trace", request.trace);
 
     // The animation is drawn in a pass of its own, since drawing between the steps would slow them down.
     const std::optional<std::uint64_t> drawn_hash = animation ? std::optional(animate(job, *animation)) : std::nullopt;
+    if (trace) start_recording();
     const lab::RunResult result = measure(job, *scene);
+    if (trace) write_recording(*trace, surroundings);
     if (drawn_hash && drawn_hash != result.hash) throw Failure("two runs of the same scene ended differently; please report this bug");
 
     if (still)

@@ -22,6 +22,7 @@ struct RunRequest
     std::optional<std::string> input;
     std::optional<std::string> still;
     std::optional<std::string> animation;
+    std::optional<std::string> trace;
     bool is_json = false;
 };
 

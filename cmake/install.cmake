@@ -6,8 +6,9 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 install(TARGETS carom EXPORT carom)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/carom DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-# The library needs nothing but the standard library, so the list of targets is the whole package configuration.
-install(EXPORT carom NAMESPACE carom:: FILE carom-config.cmake DESTINATION ${package_dir})
+install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${package_dir})
+configure_file(cmake/carom-config.cmake.in carom-config.cmake @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/carom-config.cmake DESTINATION ${package_dir})
 write_basic_package_version_file(carom-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/carom-config-version.cmake DESTINATION ${package_dir})
 

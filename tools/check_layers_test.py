@@ -63,6 +63,12 @@ class CheckLayersTest(unittest.TestCase):
         found = self.complaints({"src/world/a.cpp": "#include <boost/math.hpp>\n"})
         self.assertIn("src/world/a.cpp:1: ", found[0])
 
+    def test_only_the_adapter_of_a_library_knows_it(self):
+        include = "#include <tracy/TracyC.h>\n"
+        self.assertEqual([], self.complaints({"src/profile/backend_tracy.cpp": include}))
+        self.assertEqual(1, len(self.complaints({"src/profile/backend_chrome.cpp": include})))
+        self.assertEqual(1, len(self.complaints({"src/profile/backend_tracy.cpp": "#include <gtest/gtest.h>\n"})))
+
     def test_missing_file(self):
         self.assertIn("no file", self.complaints({"src/world/a.cpp": '#include "world/b.hpp"\n'})[0])
 

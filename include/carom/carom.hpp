@@ -14,6 +14,7 @@
 #include <carom/joint.hpp>
 #include <carom/math.hpp>
 #include <carom/memory.hpp>
+#include <carom/profile.hpp>
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>

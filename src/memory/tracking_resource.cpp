@@ -2,6 +2,7 @@
 #include "memory/memory_stats.hpp"
 
 #include <carom/error.hpp>
+#include <carom/profile.hpp>
 
 #include <string>
 
@@ -31,11 +32,13 @@ void* TrackingResource::Category::do_allocate(std::size_t bytes, std::size_t ali
     void* block = all->upstream_->allocate(bytes, alignment);
     detail::count_allocation(stats, bytes);
     detail::count_allocation(all->total_, bytes);
+    CAROM_ALLOCATED(block, bytes, name);
     return block;
 }
 
 void TrackingResource::Category::do_deallocate(void* block, std::size_t bytes, std::size_t alignment)
 {
+    CAROM_FREED(block, name);
     all->upstream_->deallocate(block, bytes, alignment);
     detail::count_deallocation(stats, bytes);
     detail::count_deallocation(all->total_, bytes);

@@ -1,29 +1,40 @@
-// The names of stages and of categories of memory, as people read them.
-#include <carom/report.hpp>
+// The names of stages, also as zones, and of categories of memory, as people read them.
+#include "profile/stage_timer.hpp"
 
 namespace carom
 {
 
+namespace
+{
+
+constexpr profile::ZoneSite site(const char* name) { return {name, "carom::World::step", "src/world/step.cpp", 0}; }
+
+constexpr std::array<profile::ZoneSite, stage_count> stage_sites{site("find pairs"),          site("update manifolds"),
+                                                                 site("build rows"),          site("integrate velocities"),
+                                                                 site("warm start"),          site("solve"),
+                                                                 site("integrate positions"), site("relax"),
+                                                                 site("restitution"),         site("store impulses"),
+                                                                 site("finalize bodies"),     site("continuous"),
+                                                                 site("emit events"),         site("sleep")};
+static_assert(stage_sites.back().name != nullptr);
+
+constexpr profile::ZoneSite step_site = site("step");
+
+} // namespace
+
+namespace detail
+{
+
+const profile::ZoneSite& zone_site_of(Stage stage) { return stage_sites[static_cast<std::size_t>(stage)]; }
+
+const profile::ZoneSite& zone_site_of_step() { return step_site; }
+
+} // namespace detail
+
 std::string_view name_of(Stage stage)
 {
-    switch (stage)
-    {
-    case Stage::FindPairs: return "find pairs";
-    case Stage::UpdateManifolds: return "update manifolds";
-    case Stage::BuildRows: return "build rows";
-    case Stage::IntegrateVelocities: return "integrate velocities";
-    case Stage::WarmStart: return "warm start";
-    case Stage::Solve: return "solve";
-    case Stage::IntegratePositions: return "integrate positions";
-    case Stage::Relax: return "relax";
-    case Stage::Restitution: return "restitution";
-    case Stage::StoreImpulses: return "store impulses";
-    case Stage::FinalizeBodies: return "finalize bodies";
-    case Stage::Continuous: return "continuous";
-    case Stage::EmitEvents: return "emit events";
-    case Stage::Sleep: return "sleep";
-    }
-    return "?";
+    const auto index = static_cast<std::size_t>(stage);
+    return index < stage_sites.size() ? stage_sites[index].name : "?";
 }
 
 std::string_view name_of(MemoryCategory category)

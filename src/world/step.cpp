@@ -148,12 +148,9 @@ void count(const WorldState& world, const ColorLists& contacts, std::size_t allo
     report.quarantined = world.quarantined;
 }
 
-} // namespace
-
-StepReport step(WorldState& world, float dt, int substeps)
+void run_stages(WorldState& world, float dt, int substeps, StepReport& report)
 {
-    StepReport report;
-    const auto start = StageTimer::Clock::now();
+    const StepTimer step_timer(report);
     const std::size_t allocations_before = world.memory.stats().allocations;
     world.arena.reset();
     ContactChanges changes(world.arena);
@@ -191,7 +188,15 @@ StepReport step(WorldState& world, float dt, int substeps)
     assert(first_fault(world).empty());
     ++world.step_count;
     count(world, colors, allocations_before, report);
-    report.seconds = std::chrono::duration<double>(StageTimer::Clock::now() - start).count();
+}
+
+} // namespace
+
+StepReport step(WorldState& world, float dt, int substeps)
+{
+    StepReport report;
+    run_stages(world, dt, substeps, report);
+    plot_step(report);
     return report;
 }
 
