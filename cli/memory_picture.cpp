@@ -87,7 +87,7 @@ std::vector<Band> make_bands(const lab::Trace& trace, std::vector<MemoryEvent>& 
     for (std::size_t i = 0; i < order.size(); ++i)
     {
         const bool is_shared = order.size() > most_bands && i >= most_bands - 1;
-        if (bands.size() < most_bands) bands.push_back({.name = is_shared ? "the others" : order[i].second->substr(0, 100), .use = {}});
+        if (bands.size() < most_bands) bands.push_back({.name = is_shared ? "the others" : order[i].second->substr(0, 30), .use = {}});
         double before = 0;
         for (const lab::TracePoint& point : trace.memory.at(*order[i].second))
         {

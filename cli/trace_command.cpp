@@ -36,11 +36,13 @@ lab::Trace read(const std::string& path)
     return {};
 }
 
+std::string counted(std::size_t count, const std::string& thing) { return std::to_string(count) + " " + thing + (count == 1 ? "" : "s"); }
+
 std::string summary(const lab::Trace& trace)
 {
-    std::string text = std::to_string(trace.zones.size()) + " zones, " + std::to_string(trace.frames_us.size()) + " frames, " +
-                       std::to_string(trace.plots.size()) + " plots, " + std::to_string(trace.memory.size()) + " pools of memory\n";
-    if (trace.dropped > 0) text += std::to_string(trace.dropped) + " events found no room when it was recorded: the end is missing\n";
+    std::string text = counted(trace.zones.size(), "zone") + ", " + counted(trace.frames_us.size(), "frame") + ", " +
+                       counted(trace.plots.size(), "plot") + ", " + counted(trace.memory.size(), "pool") + " of memory\n";
+    if (trace.dropped > 0) text += counted(trace.dropped, "event") + " found no room when it was recorded: the end is missing\n";
     return text;
 }
 

@@ -64,7 +64,7 @@ unsigned pixel(cairo_surface_t* picture, int x, int y)
 TEST_F(TraceCommand, prints_the_zones_and_draws_the_memory)
 {
     ASSERT_EQ(run({"trace", written("t.json", small_trace), "--memory", path("m.png")}), 0) << err_.str();
-    EXPECT_NE(out_.str().find("1 zones, 0 frames, 0 plots, 1 pools"), std::string::npos) << out_.str();
+    EXPECT_NE(out_.str().find("1 zone, 0 frames, 0 plots, 1 pool of memory"), std::string::npos) << out_.str();
     EXPECT_NE(out_.str().find("step"), std::string::npos);
     cairo_surface_t* const picture = cairo_image_surface_create_from_png(path("m.png").c_str());
     ASSERT_EQ(cairo_surface_status(picture), CAIRO_STATUS_SUCCESS);

@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr const char* zone_of_step = "step";
+constexpr std::string_view before_pool = "memory: "; // in the names of counters of memory
 
 /// Adds events to a trace.
 class Collector
@@ -71,8 +72,10 @@ private:
         if (arguments == event.end() || !arguments->is_object() || arguments->empty()) return;
         const json& value = arguments->begin().value();
         if (!value.is_number()) return;
-        auto& counters = text_of(event, "cat") == "memory" ? trace_.memory : trace_.plots;
-        counters[text_of(event, "name")].push_back({number_of(event, "ts"), value.get<double>()});
+        const bool is_memory = text_of(event, "cat") == "memory";
+        std::string name = text_of(event, "name");
+        if (is_memory && name.starts_with(before_pool)) name.erase(0, before_pool.size());
+        (is_memory ? trace_.memory : trace_.plots)[name].push_back({number_of(event, "ts"), value.get<double>()});
     }
 
     Trace& trace_;

@@ -62,8 +62,9 @@ struct ZoneSummary
 /// One a name, the greatest total first; equal ones by name.
 std::vector<ZoneSummary> summarize_zones(const Trace& trace);
 
-/// A table of the zones: count, mean, median and 99th percentile in microseconds, share of the zone "step", and share that is its own. Without
-/// such a zone, shares are of the time from the first zone's start to the last one's end.
+/// A table of the zones: count, mean, median and 99th percentile in microseconds, share of the zone "step", and share that is its own.
+/// Without such a zone, shares are of the time from the first zone's start to the last one's end.
+/// @throws TraceError when there is no zone
 std::string zone_table(const Trace& trace);
 
 } // namespace carom::lab

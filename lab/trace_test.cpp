@@ -88,7 +88,7 @@ TEST(Trace, takes_an_object_and_leaves_out_what_it_does_not_know)
     const Trace trace =
         parsed(R"({"displayTimeUnit":"ns","otherData":{"dropped_events":3,"ph":"X"},"stackFrames":{"a":{"ph":"X"}},"traceEvents":[
         {"ph":"B","name":"begin","ts":1}, 17, {"no":"phase"}, {"ph":"i","name":"frame","ts":4.5,"s":"p"},
-        {"ph":"C","name":"heap","ts":2,"cat":"memory","args":{"bytes":8}}, {"ph":"C","name":"heap","ts":1,"cat":"memory","args":{"bytes":6}},
+        {"ph":"C","name":"heap","ts":2,"cat":"memory","args":{"bytes":8}}, {"ph":"C","name":"memory: heap","ts":1,"cat":"memory","args":{"bytes":6}},
         {"ph":"C","name":"n","ts":2,"args":{"value":-1.5}}, {"ph":"C","name":"n","ts":2,"args":{"value":"text"}},
         {"ph":"X","name":"zone","ts":1,"dur":2,"args":{"ph":{"ph":"X"}}}]})");
     EXPECT_EQ(trace.dropped, 3u);

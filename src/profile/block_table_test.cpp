@@ -2,6 +2,7 @@
 #include "profile/block_table.hpp"
 #include "profile/pool_totals.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
@@ -92,6 +93,16 @@ TEST(PoolTotals, an_address_that_comes_twice_counts_once_and_an_unknown_one_not_
     pools.remove(address(64));
     pools.add(nullptr, 7, "a");
     EXPECT_EQ(look(pools), (std::vector<Look>{{"a", 0, 100}, {"b", 40, 40}}));
+}
+
+TEST(PoolTotals, a_name_may_go_and_may_be_long)
+{
+    PoolTotals pools;
+    std::string name(100, 'x');
+    pools.add(address(16), 1, name.c_str());
+    pools.add(address(32), 1, name.c_str());
+    std::fill(name.begin(), name.end(), 'y');
+    EXPECT_EQ(look(pools), (std::vector<Look>{{std::string(63, 'x'), 2, 2}}));
 }
 
 TEST(PoolTotals, the_last_pool_takes_in_all_that_come_after)

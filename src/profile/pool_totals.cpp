@@ -1,19 +1,21 @@
 // Counting blocks in and out of their pools.
 #include "profile/pool_totals.hpp"
 
-#include <cstring>
+#include <algorithm>
 
 namespace carom::profile
 {
 
-std::size_t PoolTotals::pool_of(const char* name)
+std::size_t PoolTotals::pool_of(std::string_view name)
 {
+    name = name.substr(0, pools_[0].name.size() - 1); // a zero follows
     for (std::size_t i = 0; i < pool_count_; ++i)
     {
-        if (pools_[i].name == name || std::strcmp(pools_[i].name, name) == 0) return i;
+        if (name == pools_[i].name.data()) return i;
     }
     if (pool_count_ == max_pools) return max_pools - 1;
-    pools_[pool_count_].name = pool_count_ == max_pools - 1 ? "other pools" : name;
+    if (pool_count_ == max_pools - 1) name = "other pools";
+    std::copy(name.begin(), name.end(), pools_[pool_count_].name.begin());
     return pool_count_++;
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <string_view>
 
 namespace carom::profile
 {
@@ -21,7 +22,7 @@ public:
     /// A pool that has changed since the last look.
     struct Change
     {
-        const char* pool;
+        const char* pool;         ///< its name; stays as long as the totals
         std::size_t bytes;        ///< in use now
         std::size_t bytes_before; ///< at the last look
         std::size_t peak_bytes;   ///< most since the last look
@@ -44,7 +45,7 @@ public:
         {
             Pool& pool = pools_[i];
             if (!pool.has_changed) continue;
-            each(Change{pool.name, pool.bytes, pool.bytes_before, pool.peak_bytes, pool.peak_time});
+            each(Change{pool.name.data(), pool.bytes, pool.bytes_before, pool.peak_bytes, pool.peak_time});
             pool.has_changed = false;
             pool.peak_bytes = pool.bytes_before = pool.bytes;
         }
@@ -55,14 +56,14 @@ public:
 private:
     struct Pool
     {
-        const char* name = nullptr;
+        std::array<char, 64> name = {}; ///< a copy, since a pool may go with its name; a longer one is cut
         std::size_t bytes = 0;
         std::size_t bytes_before = 0;
         std::size_t peak_bytes = 0;
         Clock::time_point peak_time = {};
         bool has_changed = false;
     };
-    std::size_t pool_of(const char* name);
+    std::size_t pool_of(std::string_view name);
     void subtract(const BlockTable::Block& block);
 
     std::mutex mutex_;

@@ -80,11 +80,12 @@ Output& Output::quoted(std::string_view text)
 }
 
 /// `{"ph":"X","pid":1,"tid":1,"name":"solve","ts":12.345`: what all events have.
-void begin_event(Output& out, const char* phase, const TraceEvent& event, std::uint32_t thread, std::int64_t start_ns)
+void begin_event(Output& out, const char* phase, const TraceEvent& event, std::uint32_t thread, std::int64_t start_ns,
+                 std::string_view before_name = {})
 {
     out << ",\n{\"ph\":\"" << phase << "\",\"pid\":1,\"tid\":";
     out.number(thread) << ",\"name\":";
-    out.quoted(event.name) << ",\"ts\":";
+    out.quoted(std::string(before_name) + event.name) << ",\"ts\":";
     out.microseconds(event.start_ns - start_ns);
 }
 
@@ -104,8 +105,8 @@ void write_event(Output& out, const TraceEvent& event, std::uint32_t thread, std
         begin_event(out, "C", event, thread, start_ns);
         (out << ",\"args\":{\"value\":").number(std::bit_cast<double>(event.value)) << "}}";
         return;
-    case EventKind::Memory:
-        begin_event(out, "C", event, thread, start_ns);
+    case EventKind::Memory: // a viewer would take a plot of the same name for the same counter
+        begin_event(out, "C", event, thread, start_ns, "memory: ");
         (out << ",\"cat\":\"memory\",\"args\":{\"bytes\":").number(event.value) << "}}";
         return;
     }

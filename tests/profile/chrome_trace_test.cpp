@@ -208,9 +208,9 @@ TEST_F(Recorder, threads_may_record_while_it_starts_and_writes)
             }
         });
     }
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 10; ++i)
     {
-        recorder_.start({.max_events = 20000});
+        recorder_.start({.max_events = 4000});
         std::this_thread::sleep_for(1ms);
         const TraceResult result = write();
         EXPECT_TRUE(result) << result.problem;
