@@ -123,6 +123,21 @@ TEST_F(StepTrace, has_a_frame_and_a_point_of_every_plot_for_each_step)
     EXPECT_EQ(trace.dropped, 0u);
 }
 
+TEST_F(StepTrace, pools_of_memory_add_up_to_the_bytes_in_use)
+{
+    double pools = 0;
+    for (const char* pool : {"bodies", "shapes", "broad phase", "contacts", "islands", "events", "scratch"})
+    {
+        ASSERT_TRUE(trace.memory.contains(pool)) << pool;
+        pools += trace.memory.at(pool).back().value;
+    }
+    EXPECT_EQ(trace.memory.size(), 7u);
+    // All but the world object itself, which comes from no category's resource.
+    const double in_use = trace.plots.at("bytes in use").back().value;
+    EXPECT_LT(pools, in_use);
+    EXPECT_GT(pools, in_use - 10000);
+}
+
 TEST_F(StepTrace, the_command_sums_it_up)
 {
     std::ostringstream out;
