@@ -12,6 +12,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 namespace carom::cli
 {
@@ -50,6 +51,7 @@ struct Chart
 struct MemoryEvent
 {
     double time_us;
+    std::size_t number; ///< in the order in which the trace tells them
     std::size_t band;
     double change; ///< [bytes]
 };
@@ -91,11 +93,12 @@ std::vector<Band> make_bands(const lab::Trace& trace, std::vector<MemoryEvent>& 
         double before = 0;
         for (const lab::TracePoint& point : trace.memory.at(*order[i].second))
         {
-            events.push_back({point.time_us, bands.size() - 1, point.value - before});
+            events.push_back({point.time_us, events.size(), bands.size() - 1, point.value - before});
             before = point.value;
         }
     }
-    std::stable_sort(events.begin(), events.end(), [](const MemoryEvent& a, const MemoryEvent& b) { return a.time_us < b.time_us; });
+    std::sort(events.begin(), events.end(),
+              [](const MemoryEvent& a, const MemoryEvent& b) { return std::tie(a.time_us, a.number) < std::tie(b.time_us, b.number); });
     return bands;
 }
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace carom::lab
 {
@@ -84,13 +85,25 @@ private:
     std::map<double, std::uint32_t> threads_;                   // by what the trace calls them
 };
 
+/// By time; those of one moment stay as they are.
+void sort(std::vector<TracePoint>& points)
+{
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return std::tuple(points[a].time_us, a) < std::tuple(points[b].time_us, b); });
+    std::vector<TracePoint> sorted;
+    sorted.reserve(points.size());
+    for (const std::size_t i : order) sorted.push_back(points[i]);
+    points = std::move(sorted);
+}
+
 void sort(Trace& trace)
 {
     std::sort(trace.zones.begin(), trace.zones.end(), [](const TraceZone& a, const TraceZone& b)
     { return std::tuple(a.thread, a.start_us, -a.duration_us) < std::tuple(b.thread, b.start_us, -b.duration_us); });
-    const auto is_earlier = [](const TracePoint& a, const TracePoint& b) { return a.time_us < b.time_us; };
     for (auto* counters : {&trace.plots, &trace.memory})
-        for (auto& [name, points] : *counters) std::stable_sort(points.begin(), points.end(), is_earlier);
+        for (auto& [name, points] : *counters) sort(points);
     std::sort(trace.frames_us.begin(), trace.frames_us.end());
 }
 
