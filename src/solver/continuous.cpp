@@ -271,14 +271,14 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const float other_thickness = inner_radius(other);
     const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
     const float least_way = movers_[pair.mover_a].is_bullet ? 0 : fast_way(thinner);
-    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way)) return;
-
     const auto is_dynamic = [&](std::uint32_t shape) { return near.bodies.is_dynamic(near.shapes.records[shape].body); };
-    const bool gives_way = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
+    const float first_share = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b) ? grazing_share : sliding_share;
+    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way, first_share * thickness)) return;
+
     const ConvexPoints points_b = convex_points(other);
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
-    for (const float share : {gives_way ? grazing_share : sliding_share, 0.5f, 0.75f, 0.95f})
+    for (const float share : {first_share, 0.5f, 0.75f, 0.95f})
     {
         inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, impact_distance);
         if (!inside || *inside > 0) break;
