@@ -17,11 +17,4 @@ void make_room(std::pmr::vector<T>& list, std::size_t size)
     if (list.capacity() < size) list.reserve(std::max(size, list.capacity() + list.capacity() / 2));
 }
 
-/// Grows a list that is nearly full before it is: a size that swings about its mean then does not set a record long after the start.
-template <class T>
-void keep_headroom(std::pmr::vector<T>& list)
-{
-    if (list.size() > list.capacity() / 4 * 3) list.reserve(2 * list.capacity());
-}
-
 } // namespace carom::detail

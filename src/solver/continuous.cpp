@@ -9,8 +9,8 @@
 #include "solver/swept_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace carom::detail
@@ -184,9 +184,7 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     }
     const bool is_free = near.bodies.is_dynamic(body) && near.bodies.records[body].first_joint == null_index;
     if (other_mover == null_index && (!movers_[mover].can_stop || (movers_[mover].is_held && is_free)))
-    {
         other_mover = mover_of(body, near); // it runs into one that hardly moves
-    }
     add_pair({mover, other_mover, shape, other});
 }
 
@@ -234,9 +232,7 @@ bool ContinuousCollision::has_pair(std::uint32_t mover, std::uint32_t shape, std
 Sweep ContinuousCollision::rest_of_way(std::uint32_t mover, std::uint32_t shape, float after, const BodyStore& bodies,
                                        const ShapeStore& shapes) const
 {
-    if (mover == null_index) return at_rest(bodies.poses[shapes.records[shape].body]);
-    const Mover& m = movers_[mover];
-    return m.since < 1 ? rest(m.sweep, (after - m.since) / (1 - m.since)) : rest(m.sweep, 1);
+    return mover == null_index ? at_rest(bodies.poses[shapes.records[shape].body]) : way_left(mover, after);
 }
 
 std::uint32_t ContinuousCollision::version_of(const Pair& pair) const
@@ -287,16 +283,14 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const std::optional<float> touch = time_of_impact(convex_points(geometry), way_a, points_b, way_b, impact_distance);
     const float time = after + (1 - after) * (touch && *touch > 0 ? *touch : *inside);
     impacts_.push_back({time, index, version_of(pair)});
-    const auto comes_later = [](const Impact& l, const Impact& r) { return l.time != r.time ? l.time > r.time : l.pair > r.pair; };
-    std::push_heap(impacts_.begin(), impacts_.end(), comes_later);
+    std::push_heap(impacts_.begin(), impacts_.end(), std::greater<>());
 }
 
 void ContinuousCollision::resolve_impacts(const Surroundings& near, BroadPhase& broad_phase)
 {
-    const auto comes_later = [](const Impact& l, const Impact& r) { return l.time != r.time ? l.time > r.time : l.pair > r.pair; };
     while (!impacts_.empty())
     {
-        std::pop_heap(impacts_.begin(), impacts_.end(), comes_later);
+        std::pop_heap(impacts_.begin(), impacts_.end(), std::greater<>());
         const Impact impact = impacts_.back();
         impacts_.pop_back();
         const Pair pair = pairs_[impact.pair];

@@ -90,6 +90,8 @@ private:
         float time;
         std::uint32_t pair;
         std::uint32_t version; ///< of both movers together, when it was found
+
+        friend bool operator>(const Impact& l, const Impact& r) { return l.time != r.time ? l.time > r.time : l.pair > r.pair; }
     };
 
     /// The stores that say which shapes may meet.
