@@ -1,6 +1,8 @@
 // What the tests of joints share: a world with two boxes, and a joint of every type.
 #pragma once
 
+#include "math/expect_refused_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -34,22 +36,12 @@ protected:
     /// A definition that suits a spec.
     JointDef def_for(const JointSpec& spec) { return {.body_a = std::holds_alternative<MouseJoint>(spec) ? BodyId{} : a, .body_b = b}; }
 
+    /// And the world is what it was.
     template <class Call>
     void expect_refused(const std::string& function, const std::string& field, Call&& call)
     {
         const std::uint64_t before = world.hash();
-        try
-        {
-            call();
-            ADD_FAILURE() << function << " took a bad " << field;
-        }
-        catch (const UsageError& error)
-        {
-            EXPECT_EQ(error.function(), function) << error.what();
-            EXPECT_EQ(error.field(), field) << error.what();
-            EXPECT_FALSE(error.value().empty()) << error.what();
-            EXPECT_FALSE(error.remedy().empty()) << error.what();
-        }
+        carom::expect_refused(function, field, call);
         EXPECT_EQ(world.hash(), before);
     }
 

@@ -3,7 +3,6 @@
 
 #include "memory/make_room.hpp"
 
-#include <algorithm>
 #include <array>
 #include <span>
 

@@ -1,4 +1,6 @@
 // Calls that only read took NaN and answered as if nothing were wrong: with NaN, with false, or with half a box.
+#include "math/expect_refused_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -15,21 +17,6 @@ namespace
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float inf = std::numeric_limits<float>::infinity();
-
-template <class Call>
-void expect_refused(const std::string& function, const std::string& field, Call&& call)
-{
-    try
-    {
-        call();
-        ADD_FAILURE() << function << " took a bad " << field;
-    }
-    catch (const UsageError& error)
-    {
-        EXPECT_EQ(error.function(), function) << error.what();
-        EXPECT_EQ(error.field(), field) << error.what();
-    }
-}
 
 } // namespace
 
