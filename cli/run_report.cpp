@@ -116,6 +116,8 @@ ordered_json run_json(const scenes::Scene& scene, const lab::RunResult& result)
     json["seed"] = scene.seed();
     json["steps"] = result.steps;
     json["broad_phase"] = name_of(scene.world().broad_phase());
+    const BroadPhaseStats& search = result.last.broad_phase;
+    json["broad_phase_stats"] = {{"pairs_tested", search.pairs_tested}, {"pairs_found", search.pairs_found}, {"nodes", search.nodes}};
     json["bodies"] = result.last.bodies;
     json["shapes"] = result.last.shapes;
     json["pairs"] = result.last.pairs;

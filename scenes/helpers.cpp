@@ -61,7 +61,7 @@ void draw_broad_phase(const World& world, DrawList& list)
         DrawList& list;
     };
     Visitor visitor(list);
-    world.debug_draw(visitor);
+    world.debug_draw(visitor, DrawPart::BroadPhase);
 }
 
 void draw_bounds(const World& world, DrawList& list)
@@ -77,7 +77,7 @@ void draw_bounds(const World& world, DrawList& list)
         DrawList& list;
     };
     Visitor visitor(list);
-    world.debug_draw(visitor);
+    world.debug_draw(visitor, DrawPart::Bounds);
 }
 
 } // namespace carom::scenes

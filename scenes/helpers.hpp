@@ -73,7 +73,7 @@ void for_each_shape(const World& world, const Draw& draw)
         const Draw& draw;
     };
     Visitor visitor(draw);
-    world.debug_draw(visitor);
+    world.debug_draw(visitor, DrawPart::Shapes);
 }
 
 /// The squares or boxes in which the broad phase has sorted the shapes.

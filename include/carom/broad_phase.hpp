@@ -1,6 +1,7 @@
 // Which broad phase a world uses to find the shapes that are near each other. All find the same pairs.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace carom
@@ -24,6 +25,18 @@ struct BroadPhaseOptions
     int quadtree_node_capacity = 8; ///< shapes in a node before it divides, >= 1
 
     friend bool operator==(const BroadPhaseOptions&, const BroadPhaseOptions&) = default;
+};
+
+/// What the search for pairs of one step did.
+struct BroadPhaseStats
+{
+    std::size_t pairs_tested =
+        0; ///< fattened bounds compared with those of shapes, by the tree four at a time; 0 when no shape has left its bounds
+    std::size_t pairs_found =
+        0;                 ///< of those, pairs that overlap and of which at least one shape has left its bounds: new ones and known ones
+    std::size_t nodes = 0; ///< nodes in use after the last search; 0 where there are none
+
+    friend bool operator==(const BroadPhaseStats&, const BroadPhaseStats&) = default;
 };
 
 } // namespace carom

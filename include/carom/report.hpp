@@ -1,6 +1,7 @@
 // What a step did and how long each of its stages took.
 #pragma once
 
+#include <carom/broad_phase.hpp>
 #include <carom/ids.hpp>
 #include <carom/memory.hpp>
 
@@ -13,7 +14,7 @@
 namespace carom
 {
 
-/// The stages of World::step, in their order.
+/// The stages of World::step, in their order but for Restitution, which comes before the substeps.
 enum class Stage
 {
     FindPairs,           ///< broad phase: new pairs of near shapes
@@ -79,6 +80,8 @@ struct StepReport
     int rows = 0;          ///< contacts with at least a point, near ones included: what the solver works on when the step takes time
     int colors = 0;        ///< groups of independent contacts that it made of them
     int overflow_rows = 0; ///< contacts that found no colour and were solved one by one
+
+    BroadPhaseStats broad_phase; ///< of this step's search for pairs
 
     MemoryReport memory;         ///< after the step
     std::size_t allocations = 0; ///< requests to the world's memory resource during this step

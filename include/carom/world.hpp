@@ -13,6 +13,7 @@
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
+#include <carom/step_probe.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -138,7 +139,8 @@ public:
     /// Advances the world.
     /// @param dt       [s], 0 or from 1e-6 to 1; 0 updates contacts and events, moves nothing and leaves forces for the next step
     /// @param substeps parts into which the step is divided, 1 to 64; more make stiff piles and fast spins more exact
-    StepReport step(float dt, int substeps = 4);
+    /// @param probe    called at the end of each stage, to look inside the step; null for none
+    StepReport step(float dt, int substeps = 4, StepProbe* probe = nullptr);
     /// What happened in the last step.
     Events events() const;
     /// The contact points between two shapes as of the last step, its normal from `a` to `b`; no points when they are apart. Impulses
@@ -221,7 +223,10 @@ public:
     std::uint64_t step_count() const;
     /// A hash of the whole state. Equal runs give equal hashes at every step, whatever the broad phase, compiler or build type.
     std::uint64_t hash() const;
-    void debug_draw(DebugDraw& visitor) const;
+    /// Shows what the world holds to a visitor, as of the last step and the edits since.
+    /// @param parts what to walk
+    /// @throws UsageError when `parts` has bits that are no part
+    void debug_draw(DebugDraw& visitor, DrawPart parts = DrawPart::All) const;
 
     // Copies.
     /// A world of its own that goes on to the same bits as this one. Its ids carry a number of its own; translated() gives them. Events of the last

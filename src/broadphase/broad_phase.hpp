@@ -36,14 +36,6 @@ enum class ProxyKind : std::uint8_t
     Moving
 };
 
-/// Counters of the last find_pairs, for the laboratory and the gallery.
-struct BroadPhaseStats
-{
-    std::size_t pairs_tested = 0; ///< boxes compared with boxes of proxies
-    std::size_t pairs_found = 0;
-    std::size_t nodes = 0; ///< nodes in use; 0 where there are none
-};
-
 /// A node, for drawing.
 struct BroadPhaseNode
 {
@@ -118,7 +110,10 @@ public:
     /// Appends the nodes as they are after the last find_pairs; nothing when there are none to show.
     virtual void list_nodes(std::vector<BroadPhaseNode>& nodes) const = 0;
 
+    /// Counters of the last find_pairs.
     BroadPhaseStats stats() const { return stats_; }
+    /// In place of a find_pairs without a moved proxy: the nodes stay as they are.
+    void skip_search() { stats_.pairs_tested = stats_.pairs_found = 0; }
 
 protected:
     /// Called by everything that changes a box.

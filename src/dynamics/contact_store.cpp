@@ -21,6 +21,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     }
     contacts[slot] = pair;
     contacts[slot].is_live = true;
+    contacts[slot].search = search_;
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};

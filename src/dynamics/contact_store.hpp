@@ -39,6 +39,7 @@ struct Contact
     bool is_hitting = false;    ///< was pushed faster than the hit speed in the last step
     bool is_disabled = false;   ///< by a hook, for this step
     bool is_overridden = false; ///< a hook may have changed the surface for a step
+    std::uint32_t search = 0;   ///< the search for pairs that found it
     float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
     float last_tangent = 0;     ///< the same along the surface [N s]
 };
@@ -82,6 +83,9 @@ public:
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);
+    /// Contacts that are made from now on are new; those from before no longer.
+    void begin_search() { ++search_; }
+    bool is_new(const Contact& contact) const { return contact.search == search_; }
     /// Looks at a contact again in each step, or no longer. Neither allocates, nor minds when it is so already.
     void wake(std::uint32_t slot);
     void put_to_sleep(std::uint32_t slot);
@@ -90,6 +94,9 @@ public:
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
     std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
+
+private:
+    std::uint32_t search_ = 0; ///< the last one's number; turns over after years, when no pair of that time is left
 };
 
 } // namespace carom::detail

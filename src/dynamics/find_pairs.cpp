@@ -38,7 +38,9 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
 void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
                 PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch)
 {
-    if (shapes.moved.empty()) return;
+    contacts.begin_search();
+    const bool has_nodes = broad_phase.stats().nodes > 0; // one that is new to the world has yet to make them
+    if (shapes.moved.empty() && has_nodes) return broad_phase.skip_search();
     std::pmr::vector<ProxyPair> found(&scratch);
     broad_phase.find_pairs(shapes.moved, found);
 

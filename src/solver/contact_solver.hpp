@@ -35,6 +35,10 @@ public:
     /// @param watches bodies of contacts that are still coming up begin their rest anew
     void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const;
 
+    /// Writes what the rows hold into copies of the manifolds, as of this moment: what the step has applied so far, and where the points have come to.
+    /// @param is_within_substep whether the impulses of the substep in hand act on the bodies already, and are not yet in the sums
+    void show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const;
+
     int row_count() const { return row_count_; }
 
 private:
@@ -49,6 +53,8 @@ private:
 
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
+    template <class Action>
+    void for_each_contact(Action&& action) const;
     void make_room_for_rows(const ColorLists& colors, const ContactStore& contacts);
     void build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
                      const ContactConstants& constants);

@@ -262,43 +262,74 @@ void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
     }
 }
 
+/// Calls action(row, lane, contact slot) for every lane that holds a contact.
+template <class F>
+template <class Action>
+void ContactSolver<F>::for_each_contact(Action&& action) const
+{
+    const auto visit = [&](const auto& row)
+    {
+        for (int i = 0; i < lane_width<F>; ++i)
+            if (const std::uint32_t slot = row.contact[static_cast<std::size_t>(i)]; slot != null_index) action(row, i, slot);
+    };
+    for (const auto& row : single_) visit(row);
+    for (const auto& row : double_) visit(row);
+}
+
 template <class F>
 void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const
 {
-    const auto store = [&](const auto& row)
+    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
     {
-        for (int i = 0; i < lane_width<F>; ++i)
+        ContactManifold& manifold = contacts.manifolds[slot];
+        manifold.rolling_impulse = lane(row.rolling_lambda, i);
+        manifold.total_rolling = lane(row.rolling_total, i);
+        // The mean of the points: followed one by one, they would amplify a tower's rocking.
+        float load = 0;
+        for (std::size_t p = 0; p < row.points.size(); ++p)
         {
-            const std::uint32_t slot = row.contact[static_cast<std::size_t>(i)];
-            if (slot == null_index) continue;
-            ContactManifold& manifold = contacts.manifolds[slot];
-            manifold.rolling_impulse = lane(row.rolling_lambda, i);
-            manifold.total_rolling = lane(row.rolling_total, i);
-            // The mean of the points: followed one by one, they would amplify a tower's rocking.
-            float load = 0;
-            for (std::size_t p = 0; p < row.points.size(); ++p)
-            {
-                ContactPointState& point = manifold.points[p];
-                point.normal_impulse = lane(row.points[p].lambda_n, i);
-                point.tangent_impulse = lane(row.points[p].lambda_t, i);
-                point.total_normal = lane(row.points[p].total_n, i);
-                point.total_tangent = lane(row.points[p].total_t, i);
-                point.normal_velocity = lane(row.points[p].normal_velocity, i);
-                load += point.normal_impulse / static_cast<float>(row.points.size());
-            }
-            const float carried = lane(row.carried, i);
-            const float missing = carried_part * load - carried;
-            manifold.carried_impulse = carried + carry_share_ * missing;
-
-            // How far the spring of the contact is from where the whole correction would hold it.
-            const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
-            if (lane(row.impulse_scale, i) * missing <= settled_within * stiffness) continue;
-            for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
-                if (body != 0) watches[body].rest_time = 0;
+            ContactPointState& point = manifold.points[p];
+            point.normal_impulse = lane(row.points[p].lambda_n, i);
+            point.tangent_impulse = lane(row.points[p].lambda_t, i);
+            point.total_normal = lane(row.points[p].total_n, i);
+            point.total_tangent = lane(row.points[p].total_t, i);
+            point.normal_velocity = lane(row.points[p].normal_velocity, i);
+            load += point.normal_impulse / static_cast<float>(row.points.size());
         }
-    };
-    for (const auto& row : single_) store(row);
-    for (const auto& row : double_) store(row);
+        const float carried = lane(row.carried, i);
+        const float missing = carried_part * load - carried;
+        manifold.carried_impulse = carried + carry_share_ * missing;
+
+        // How far the spring of the contact is from where the whole correction would hold it.
+        const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
+        if (lane(row.impulse_scale, i) * missing <= settled_within * stiffness) return;
+        for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
+            if (body != 0) watches[body].rest_time = 0;
+    });
+}
+
+template <class F>
+void ContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
+{
+    const F pending = F(is_within_substep ? 1.0f : 0.0f);
+    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
+    {
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        ContactManifold& manifold = manifolds[slot];
+        manifold.total_rolling = lane(row.rolling_total + pending * row.rolling_lambda, i);
+        for (std::size_t p = 0; p < row.points.size(); ++p)
+        {
+            const PointRow<F>& from = row.points[p];
+            ContactPointState& point = manifold.points[p];
+            const LaneVec<F> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
+            point.position += 0.5f * Vec2{lane(way.x, i), lane(way.y, i)}; // halfway between the surfaces
+            point.separation = lane(separation(row, from, a, b), i);
+            point.total_normal = lane(from.total_n + pending * from.lambda_n, i);
+            point.total_tangent = lane(from.total_t + pending * from.lambda_t, i);
+            point.normal_velocity = lane(from.normal_velocity, i);
+        }
+    });
 }
 
 } // namespace carom::detail

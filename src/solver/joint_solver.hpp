@@ -41,6 +41,11 @@ public:
     /// @param inv_dt of the whole step [1/s]
     void store_impulses(std::span<const BodyMotion> motions, JointStore& joints, float inv_dt) const;
 
+    /// Writes what the step has applied so far into a copy of the joints' forces.
+    /// @param forces by joint slot: on B [N]
+    /// @param is_within_substep whether the impulses of the substep in hand act on the bodies already, and are not yet in the sums
+    void show(std::span<Vec2> forces, float inv_dt, bool is_within_substep) const;
+
     bool is_empty() const { return rows_.empty(); }
 
 private:

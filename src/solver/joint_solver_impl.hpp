@@ -313,4 +313,16 @@ void JointSolver<F>::store_impulses(std::span<const BodyMotion> motions, JointSt
     }
 }
 
+template <class F>
+void JointSolver<F>::show(std::span<Vec2> forces, float inv_dt, bool is_within_substep) const
+{
+    for (JointRow<F> row : rows_)
+    {
+        if (is_within_substep) sum_up(row);
+        for (int i = 0; i < lane_width<F>; ++i)
+            if (const std::uint32_t slot = row.joint[static_cast<std::size_t>(i)]; slot != null_index)
+                forces[slot] = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
+    }
+}
+
 } // namespace carom::detail

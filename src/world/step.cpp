@@ -1,10 +1,9 @@
-// The step, stage by stage. Each stage is a function that takes what it reads and writes; its time goes to the report.
+// The step, stage by stage. Each stage is a function that takes what it reads and writes; `run` times it, and shows the probe what it has left.
 #include "world/step.hpp"
 
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/narrow_phase.hpp"
-#include "profile/stage_timer.hpp"
 #include "solver/contact_solver.hpp"
 #include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
@@ -13,6 +12,7 @@
 #include "world/edits.hpp"
 #include "world/pre_solve.hpp"
 #include "world/sleep.hpp"
+#include "world/stage_runner.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -72,67 +72,73 @@ void break_joints(WorldState& world)
     }
 }
 
-void integrate_substeps(WorldState& world, StepReport& report, float dt, int substeps, const ColorLists& contacts,
-                        ContinuousCollision& continuous)
+/// Gathers what the solver works on.
+ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt, int substeps)
+{
+    ColorLists contacts(world.contacts, world.arena);
+    if (dt == 0) return contacts; // nothing will be solved
+    const float h = dt / static_cast<float>(substeps);
+    world.joint_solver.build(ColorLists(world.joints, world.arena), world.bodies, world.joints,
+                             make_joint_constants(world.tuning, h, world.last_substep));
+    solver.build(contacts, world.bodies, world.contacts, make_contact_constants(world.tuning, dt, h, world.last_substep));
+    return contacts;
+}
+
+/// From the velocities at the start of the step to the motions of its end.
+void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt, int substeps, StageRunner& run)
 {
     const float h = dt / static_cast<float>(substeps);
-    const ContactConstants constants = make_contact_constants(world.tuning, dt, h, world.last_substep);
     BodyStore& bodies = world.bodies;
-    ContactSolver<float> solver(world.arena);
     JointSolver<float>& joints = world.joint_solver;
-    {
-        StageTimer timer(report, Stage::BuildRows);
-        joints.build(ColorLists(world.joints, world.arena), bodies, world.joints,
-                     make_joint_constants(world.tuning, h, world.last_substep));
-        solver.build(contacts, bodies, world.contacts, constants);
-    }
-    {
-        StageTimer timer(report, Stage::Restitution);
-        solver.bounce(bodies.motions);
-    }
+    run(Stage::Restitution, [&] { contacts.bounce(bodies.motions); });
     for (int i = 0; i < substeps; ++i)
     {
+        run(Stage::IntegrateVelocities, i, [&]
         {
-            StageTimer timer(report, Stage::IntegrateVelocities);
             const std::span<const Vec2> fields = world.field_forces.at_bodies(world.fields, bodies);
             integrate_velocities(bodies.motions, bodies.masses, bodies.drives, world.gravity, fields, h);
-        }
+        });
+        run(Stage::WarmStart, i, [&]
         {
-            StageTimer timer(report, Stage::WarmStart);
             joints.warm_start(bodies.motions);
-            solver.warm_start(bodies.motions);
-        }
+            contacts.warm_start(bodies.motions);
+        });
+        run(Stage::Solve, i, [&]
         {
-            StageTimer timer(report, Stage::Solve);
             joints.solve(bodies.motions);
-            solver.solve(bodies.motions);
-        }
+            contacts.solve(bodies.motions);
+        });
+        run(Stage::IntegratePositions, i, [&] { integrate_positions(bodies.motions, h); });
+        run(Stage::Relax, i, [&]
         {
-            StageTimer timer(report, Stage::IntegratePositions);
-            integrate_positions(bodies.motions, h);
-        }
-        StageTimer timer(report, Stage::Relax);
-        joints.relax(bodies.motions);
-        solver.relax(bodies.motions);
+            joints.relax(bodies.motions);
+            contacts.relax(bodies.motions);
+        });
     }
+    run(Stage::StoreImpulses, [&]
     {
-        StageTimer timer(report, Stage::StoreImpulses);
-        solver.store_impulses(world.contacts, bodies.watches);
+        contacts.store_impulses(world.contacts, bodies.watches);
         joints.store_impulses(bodies.motions, world.joints, 1 / dt);
         break_joints(world);
-    }
-    std::pmr::vector<FastBody> fast(&world.arena);
-    {
-        StageTimer timer(report, Stage::FinalizeBodies);
-        std::pmr::vector<std::uint32_t> not_finite(&world.arena);
-        finalize_bodies(bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, not_finite, world.is_continuous ? &fast : nullptr);
-        disable(world, not_finite);
-    }
-    {
-        StageTimer timer(report, Stage::Continuous);
-        continuous.run(fast, bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt, steps_ahead * dt);
-    }
+    });
     world.last_substep = h;
+}
+
+/// From motions to poses.
+void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, StageRunner& run)
+{
+    std::pmr::vector<FastBody> fast(&world.arena);
+    run(Stage::FinalizeBodies, [&]
+    {
+        std::pmr::vector<std::uint32_t> not_finite(&world.arena);
+        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, not_finite,
+                        world.is_continuous ? &fast : nullptr);
+        disable(world, not_finite);
+    });
+    run(Stage::Continuous, [&] {
+        continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
+                       steps_ahead * dt);
+    });
 }
 
 void count(const WorldState& world, const ColorLists& contacts, std::size_t allocations_before, StepReport& report)
@@ -143,48 +149,47 @@ void count(const WorldState& world, const ColorLists& contacts, std::size_t allo
     report.colors = contacts.used_colors();
     report.overflow_rows = static_cast<int>(contacts.list(overflow_color).size());
     report.rows = static_cast<int>(contacts.size());
+    report.broad_phase = world.broad_phase->stats();
     report.memory = memory_report(world);
     report.allocations = world.memory.stats().allocations - allocations_before;
     report.quarantined = world.quarantined;
 }
 
-void run_stages(WorldState& world, float dt, int substeps, StepReport& report)
+void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, StepReport& report)
 {
     const StepTimer step_timer(report);
     const std::size_t allocations_before = world.memory.stats().allocations;
     world.arena.reset();
-    ContactChanges changes(world.arena);
-    ContinuousCollision continuous(world.arena);
     world.quarantined.clear();
     world.events.clear();
+    ContactChanges changes(world.arena);
+    ContactSolver<float> solver(world.arena);
+    ContinuousCollision continuous(world.arena);
+    StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
+
+    run(Stage::FindPairs, [&]
     {
-        StageTimer timer(report, Stage::FindPairs);
         find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
         make_room_for_contacts(world);
-    }
+    });
+    run(Stage::UpdateManifolds, [&]
     {
-        StageTimer timer(report, Stage::UpdateManifolds);
         update_manifolds(world.bodies, world.shapes, world.contacts, changes);
         ask_pre_solve(world, changes);
         apply_changes(world, changes);
-    }
-    const ColorLists colors = [&]
-    {
-        StageTimer timer(report, Stage::BuildRows);
-        return ColorLists(world.contacts, world.arena);
-    }();
-    if (dt > 0) integrate_substeps(world, report, dt, substeps, colors, continuous);
-    {
-        StageTimer timer(report, Stage::EmitEvents);
-        report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events);
-    }
-    report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
-    report.islands = static_cast<int>(world.islands.awake().size());
+    });
+    const ColorLists colors = run(Stage::BuildRows, [&] { return build_rows(world, solver, dt, substeps); });
     if (dt > 0)
     {
-        StageTimer timer(report, Stage::Sleep);
-        put_islands_to_sleep(world);
+        solve_substeps(world, solver, dt, substeps, run);
+        move_bodies(world, continuous, dt, run);
     }
+    run(Stage::EmitEvents,
+        [&] { report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events); });
+    report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
+    report.islands = static_cast<int>(world.islands.awake().size());
+    if (dt > 0) run(Stage::Sleep, [&] { put_islands_to_sleep(world); });
+
     assert(first_fault(world).empty());
     ++world.step_count;
     count(world, colors, allocations_before, report);
@@ -192,10 +197,10 @@ void run_stages(WorldState& world, float dt, int substeps, StepReport& report)
 
 } // namespace
 
-StepReport step(WorldState& world, float dt, int substeps)
+StepReport step(WorldState& world, float dt, int substeps, StepProbe* probe)
 {
     StepReport report;
-    run_stages(world, dt, substeps, report);
+    run_stages(world, dt, substeps, probe, report);
     plot_step(report);
     return report;
 }

@@ -6,7 +6,8 @@
 namespace carom::detail
 {
 
-/// @param dt [s]; 0 moves nothing
-StepReport step(WorldState& world, float dt, int substeps);
+/// @param dt    [s]; 0 moves nothing
+/// @param probe null for none
+StepReport step(WorldState& world, float dt, int substeps, StepProbe* probe);
 
 } // namespace carom::detail

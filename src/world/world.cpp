@@ -281,7 +281,7 @@ Vec2 World::gravity_at(Vec2 point) const
     return world.gravity + detail::FieldForces::at_point(world.fields, world.bodies, point);
 }
 
-StepReport World::step(float dt, int substeps)
+StepReport World::step(float dt, int substeps, StepProbe* probe)
 {
     WorldState& world = state("step");
     require_idle(world, "step");
@@ -290,7 +290,7 @@ StepReport World::step(float dt, int substeps)
     detail::require_range("step", "substeps", substeps, 1, 64);
     const StepGuard guard(world.is_stepping);
     world.is_broken = true; // unless the step comes to its end
-    const StepReport report = detail::step(world, dt, substeps);
+    const StepReport report = detail::step(world, dt, substeps, probe);
     world.is_broken = false;
     return report;
 }
