@@ -199,6 +199,18 @@ void BodyStore::set_transform(std::uint32_t slot, const Transform& transform)
     poses[slot].center = transform * poses[slot].local_center;
 }
 
+/// As finalize_bodies will do it.
+BodyPose BodyStore::pose_now(std::uint32_t slot) const
+{
+    BodyPose pose = poses[slot];
+    const BodyMotion& motion = motions[motion_index[slot]];
+    if (motion.dp == Vec2{} && motion.dq == Rot{}) return pose;
+    pose.center += motion.dp;
+    pose.transform.q = normalize(motion.dq * pose.transform.q);
+    pose.transform.p = pose.center - rotate(pose.transform.q, pose.local_center);
+    return pose;
+}
+
 MassData combined(const MassData& a, const MassData& b)
 {
     const float mass = a.mass + b.mass;

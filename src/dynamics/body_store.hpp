@@ -66,14 +66,6 @@ struct BodyPose
     Vec2 local_center;   ///< of mass, in the body's frame [m]
 };
 
-/// The pose after a motion.
-inline BodyPose moved(const BodyPose& pose, const BodyMotion& motion)
-{
-    const Vec2 center = pose.center + motion.dp;
-    const Rot q = normalize(motion.dq * pose.transform.q);
-    return {{center - rotate(q, pose.local_center), q}, center, pose.local_center};
-}
-
 /// The rest of a body, by slot.
 struct BodyRecord
 {
@@ -146,12 +138,7 @@ public:
     Vec2 velocity(std::uint32_t slot) const { return is_active(slot) ? motions[motion_index[slot]].v : records[slot].saved_v; }
     float spin(std::uint32_t slot) const { return is_active(slot) ? motions[motion_index[slot]].w : records[slot].saved_w; }
     /// Where the body is at this moment: in the middle of a step, its pose is still where the step began.
-    BodyPose pose_now(std::uint32_t slot) const
-    {
-        const BodyMotion& motion = motions[motion_index[slot]];
-        const bool has_moved = motion.dp != Vec2{} || motion.dq != Rot{};
-        return has_moved ? moved(poses[slot], motion) : poses[slot];
-    }
+    BodyPose pose_now(std::uint32_t slot) const;
     void set_velocity(std::uint32_t slot, Vec2 v);
     void set_spin(std::uint32_t slot, float w);
     void set_transform(std::uint32_t slot, const Transform& transform);

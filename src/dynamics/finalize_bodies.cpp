@@ -78,23 +78,25 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
     {
         BodyMotion& motion = bodies.motions[i];
         BodyPose& pose = bodies.poses[motion.slot];
-        const BodyPose next = moved(pose, motion);
-        const Sweep sweep = {pose.local_center, pose.center, next.center, pose.transform.q, motion_turn(motion, dt)};
+        const Vec2 center = pose.center + motion.dp;
+        const Rot q = normalize(motion.dq * pose.transform.q);
+        const Transform transform = {center - rotate(q, pose.local_center), q};
+        const Sweep sweep = {pose.local_center, pose.center, center, pose.transform.q, motion_turn(motion, dt)};
         const float way = length(motion.dp);
         motion.dp = {};
         motion.dq = {};
         bodies.drives[i].force = {};
         bodies.drives[i].torque = 0;
 
-        const Rot q = next.transform.q;
-        if (!is_good(next.center) || !is_good(motion.v) || !is_good(motion.w) || !is_good(Vec2{q.c, q.s}))
+        if (!is_good(center) || !is_good(motion.v) || !is_good(motion.w) || !is_good(Vec2{q.c, q.s}))
         {
             motion.v = {};
             motion.w = 0;
             not_finite.push_back(motion.slot);
             continue;
         }
-        pose = next;
+        pose.center = center;
+        pose.transform = transform;
         BodyWatch& watch = bodies.watches[i];
         // A body that a joint is still pulling into place comes along without a velocity.
         const float speed = std::max(length(motion.v), way / dt);
