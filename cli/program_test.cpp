@@ -106,7 +106,9 @@ TEST_F(Program, runs_a_scene_and_prints_one_object)
     EXPECT_GT(run["step_ms"]["mean"], 0);
     EXPECT_EQ(run["stage_ms"].size(), static_cast<std::size_t>(carom::stage_count));
     EXPECT_GT(run["memory"]["bytes"], 0);
-    for (const char* key : {"pairs", "contacts", "events", "version", "compiler", "build_type", "broad_phase"})
+    EXPECT_GT(run["broad_phase_stats"]["nodes"], 0);
+    EXPECT_GE(run["broad_phase_stats"]["pairs_tested"], run["broad_phase_stats"]["pairs_found"]);
+    for (const char* key : {"pairs", "contacts", "events", "version", "compiler", "build_type", "broad_phase", "broad_phase_stats"})
         EXPECT_TRUE(run.contains(key)) << key;
 }
 

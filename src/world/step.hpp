@@ -8,6 +8,6 @@ namespace carom::detail
 
 /// @param dt    [s]; 0 moves nothing
 /// @param probe null for none
-StepReport step(WorldState& world, float dt, int substeps, StepProbe* probe);
+StepReport step(WorldState& world, float dt, int substeps, StepProbe* probe = nullptr);
 
 } // namespace carom::detail

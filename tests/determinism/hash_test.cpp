@@ -85,6 +85,30 @@ TEST_P(SceneHash, is_the_same_twice_and_golden)
     }
 }
 
+TEST_P(SceneHash, does_not_know_of_a_probe)
+{
+    /// Looks at everything after every stage.
+    struct Probe : StepProbe
+    {
+        void after_stage(const StepMoment&, const StepView& view) override
+        {
+            DebugDraw visitor;
+            view.debug_draw(visitor);
+            ++calls;
+        }
+        int calls = 0;
+    } probe;
+    const std::unique_ptr<scenes::Scene> watched = scenes::make_scene(GetParam().scene, {}, 1);
+    const std::unique_ptr<scenes::Scene> alone = scenes::make_scene(GetParam().scene, {}, 1);
+    for (int i = 0; i < 60; ++i)
+    {
+        watched->world().step(watched->time_step(), 4, &probe);
+        alone->world().step(alone->time_step(), 4);
+        ASSERT_EQ(watched->world().hash(), alone->world().hash()) << "step " << i;
+    }
+    EXPECT_EQ(probe.calls, 60 * (4 + 5 * 4 + 5));
+}
+
 TEST_P(SceneHash, depends_on_the_seed_where_the_scene_does)
 {
     const std::unique_ptr<scenes::Scene> scene = scenes::make_scene(GetParam().scene, {}, 2);

@@ -26,6 +26,7 @@ struct Tally
     int most_bodies = 0;
     int most_chains = 0;
     int hook_calls = 0;
+    int probe_refused = 0; ///< edits from inside of a probe
     int most_joints = 0;
     int breaks = 0; ///< joints that steps broke
 };

@@ -28,6 +28,7 @@ TEST_P(RandomCalls, never_crash_and_are_refused_just_when_they_are_bad)
     EXPECT_GT(tally.most_bodies, 50);
     EXPECT_GT(tally.most_chains, 10);
     EXPECT_GT(tally.hook_calls, 500);
+    EXPECT_GT(tally.probe_refused, 20);
     EXPECT_GT(tally.most_joints, 20);
     EXPECT_GT(tally.breaks, 0);
 }

@@ -33,6 +33,39 @@ private:
     bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
+/// Looks at a world from all sides, and expects what it is shown to exist.
+class CuriousVisitor : public DebugDraw
+{
+public:
+    explicit CuriousVisitor(const World& world) : world_(world) {}
+
+    void shape(ShapeId id, BodyId body, const Geometry& geometry, const Transform& transform) override;
+    void bounds(ShapeId id, const Aabb& tight, const Aabb& fat) override;
+    void body(const DebugBody& body) override;
+    void pair(ShapeId a, ShapeId b, bool is_new) override;
+    void contact(const DebugContact& contact) override;
+    void joint(const DebugJoint& joint) override;
+    void broad_phase_node(const Aabb& bounds, int depth) override;
+
+private:
+    const World& world_;
+};
+
+/// Looks at some stages of a step, and tries to edit the world in others.
+class RandomProbe : public StepProbe
+{
+public:
+    RandomProbe(World& world, std::uint64_t seed) : world_(world), random_(seed) {}
+
+    int refused = 0; ///< edits
+
+    void after_stage(const StepMoment& moment, const StepView& view) override;
+
+private:
+    World& world_;
+    Random random_;
+};
+
 /// Hooks that answer at random, now and then with nonsense, and try to edit the world that calls them. Their own numbers, so that
 /// the calls don't depend on how often they are asked.
 class RandomHooks : public ContactHooks

@@ -56,8 +56,14 @@ void RandomApi::read()
         const ShapeId a = shape_id();
         world_.manifold(a, shape_id());
     });
-    DebugDraw nothing;
-    if (draw_.random.one_in(20)) world_.debug_draw(nothing);
+    CuriousVisitor visitor(world_);
+    if (draw_.random.one_in(20))
+        try_call("debug_draw", [&]
+        {
+            const auto parts = static_cast<unsigned>(draw_.random.below(130)); // any of the seven, and two that are none
+            draw_.expect(parts <= static_cast<unsigned>(DrawPart::All));
+            std::as_const(world_).debug_draw(visitor, static_cast<DrawPart>(parts));
+        });
 }
 
 void RandomApi::cast()

@@ -184,7 +184,9 @@ void RandomApi::step()
         draw_.expect(dt == 0 || (dt >= 1e-6f && dt <= 1));
         const int substeps = draw_.random.one_in(30) ? draw_.random.below(80) - 5 : 1 + draw_.random.below(6);
         draw_.expect(substeps >= 1 && substeps <= 64);
-        check_step(world_.step(dt, substeps), dt, endless);
+        RandomProbe probe(world_, draw_.random.bits());
+        check_step(world_.step(dt, substeps, draw_.random.one_in(8) ? &probe : nullptr), dt, endless);
+        tally_.probe_refused += probe.refused;
     });
 }
 
