@@ -111,9 +111,12 @@ Vec2 anchor(const BodyStore& bodies, std::uint32_t body, const Transform& frame)
 void draw_joints(const Picture& picture, DebugDraw& visitor)
 {
     const JointStore& joints = picture.world.joints;
-    std::vector<Vec2> forces(joints.slots.size());
-    for (std::size_t slot = 0; slot < forces.size(); ++slot) forces[slot] = joints.joints[slot].force;
-    if (picture.is_solving()) picture.world.joint_solver.show(forces, 1 / picture.moment->dt, picture.moment->is_within_substep());
+    std::vector<Vec2> forces; // in mid-solve, as the rows have them
+    if (picture.is_solving())
+    {
+        for (const Joint& joint : joints.joints) forces.push_back(joint.force);
+        picture.world.joint_solver.show(forces, 1 / picture.moment->dt, picture.moment->is_within_substep());
+    }
     for (std::uint32_t slot = 0; slot < joints.slots.size(); ++slot)
     {
         if (!joints.slots.is_live(slot)) continue;
@@ -125,7 +128,7 @@ void draw_joints(const Picture& picture, DebugDraw& visitor)
                        .body_b = picture.body(joint.body_b),
                        .anchor_a = mouse ? mouse->target : anchor(picture.world.bodies, joint.body_a, joint.frame_a),
                        .anchor_b = anchor(picture.world.bodies, joint.body_b, joint.frame_b),
-                       .force = forces[slot]});
+                       .force = forces.empty() ? joint.force : forces[slot]});
     }
 }
 
