@@ -1,0 +1,120 @@
+// Places texts as the command line's pictures do, and takes letters in the size that is there.
+#include "gallery/text_painter.hpp"
+
+#include "gallery/fonts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+using scenes::Color;
+using scenes::DrawnText;
+using scenes::Place;
+
+constexpr float reference_height = 720; // sizes of a draw list's texts are in 1/720 of the picture's height
+constexpr float smallest = 12;          // [points]
+constexpr float largest = 30;           // [points]
+constexpr float margin = 18;            // in 1/720 of the free height
+
+ImU32 packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
+
+/// How a text looks and what room it takes.
+struct Letters
+{
+    ImFont* font;
+    float size;    ///< [points]
+    float width;   ///< where lines break; 0 for never [points]
+    ImVec2 extent; ///< [points]
+};
+
+class Painter
+{
+public:
+    Painter(const Renderer::View& view, const Theme& theme, float pixels_per_point, ImVec2 free_min, ImVec2 free_max)
+        : view_(view),
+          theme_(theme),
+          pixels_per_point_(pixels_per_point),
+          free_min_(free_min),
+          free_max_(free_max)
+    {
+        unit_ = std::max(free_max.y - free_min.y, 1.0f) / reference_height;
+        ui_scale_ = std::max(ImGui::GetFontSize() / 15, 1.0f);
+        top_ = free_min.y + margin * unit_;
+        bottom_ = free_max.y - margin * unit_;
+    }
+
+    void paint(const DrawnText& text)
+    {
+        const Letters letters = letters_for(text);
+        const float line_space = 0.25f * letters.size;
+        ImVec2 place{free_min_.x + margin * unit_, top_};
+        if (text.place == Place::TopLeft) top_ += letters.extent.y + line_space;
+        if (text.place == Place::BottomLeft)
+        {
+            place.y = bottom_ - letters.extent.y;
+            bottom_ = place.y - line_space;
+        }
+        if (text.place == Place::World)
+        {
+            const Vec2 middle = to_pixels(view_.camera, view_.viewport, text.position) / pixels_per_point_;
+            if (!is_finite(middle)) return;
+            place = {middle.x - 0.5f * letters.extent.x, middle.y - 0.5f * letters.extent.y};
+        }
+        write(text, letters, place);
+    }
+
+private:
+    Letters letters_for(const DrawnText& text) const
+    {
+        const float wanted = std::clamp(unit_ * text.size, smallest * ui_scale_, largest * ui_scale_);
+        Letters letters{.font = nearest_font(wanted * pixels_per_point_), .size = 0, .width = 0, .extent = {}};
+        letters.size = letters.font->FontSize / pixels_per_point_;
+        if (text.place != Place::World) letters.width = std::max(free_max_.x - free_min_.x - 2 * margin * unit_, 4 * letters.size);
+        letters.extent = letters.font->CalcTextSizeA(letters.size, FLT_MAX, letters.width, text.text.c_str());
+        return letters;
+    }
+
+    void write(const DrawnText& text, const Letters& letters, ImVec2 place) const
+    {
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        const char* const begin = text.text.c_str();
+        const char* const end = begin + text.text.size();
+        const Color letter_color = theme_.for_text(text.color);
+        const ImU32 rim = packed(with_alpha(theme_(scenes::night), 0.45f * text.color.a));
+        const float step = std::max(1.0f, letters.size / 18);
+        constexpr std::array<Vec2, 8> around = {Vec2{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+        for (const Vec2 way : around)
+            list.AddText(letters.font, letters.size, {place.x + step * way.x, place.y + step * way.y}, rim, begin, end, letters.width);
+        list.AddText(letters.font, letters.size, place, packed(letter_color), begin, end, letters.width);
+    }
+
+    const Renderer::View& view_;
+    const Theme& theme_;
+    float pixels_per_point_;
+    ImVec2 free_min_;
+    ImVec2 free_max_;
+    float unit_ = 1;     ///< 1/720 of the free height [points]
+    float ui_scale_ = 1; ///< of the panels' letters
+    float top_ = 0;      ///< where the next caption from the top goes [points]
+    float bottom_ = 0;
+};
+
+} // namespace
+
+void paint_texts(const scenes::DrawList& list, const Renderer::View& view, const Theme& theme, float pixels_per_point, ImVec2 free_min,
+                 ImVec2 free_max)
+{
+    Painter painter(view, theme, pixels_per_point, free_min, free_max);
+    for (const scenes::DrawnLayer& layer : list.layers())
+    {
+        for (const DrawnText& text : layer.texts) painter.paint(text);
+    }
+}
+
+} // namespace carom::gallery
