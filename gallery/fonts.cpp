@@ -26,7 +26,7 @@ constexpr std::array places = {
 constexpr float text_size = 15;  // [points]
 constexpr float title_size = 20; // [points]
 /// Sizes beside those two for the texts of a picture [points].
-constexpr std::array picture_sizes = {12.0f, 13.0f, 17.0f, 23.0f, 26.0f, 30.0f};
+constexpr std::array picture_sizes = {14.0f, 17.0f, 19.0f, 21.0f, 23.0f, 26.0f, 30.0f, 35.0f};
 
 /// Latin, Greek, dashes and quotes, arrows, signs of mathematics, and the shapes that buttons show.
 constexpr std::array<ImWchar, 13> glyphs = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010, 0x2026, 0x2190,

@@ -18,6 +18,7 @@ void GpuTimer::begin()
 {
     collect();
     if (is_running_ || asked_ - answered_ == ring_size) return;
+    begins_[asked_ % ring_size] = Clock::now();
     glBeginQuery(GL_TIME_ELAPSED, queries_[asked_ % ring_size]);
     is_running_ = true;
 }
@@ -40,13 +41,15 @@ void GpuTimer::collect()
 {
     while (answered_ < asked_)
     {
-        const unsigned query = queries_[answered_ % ring_size];
+        const std::size_t place = answered_ % ring_size;
         GLint is_there = GL_FALSE;
-        glGetQueryObjectiv(query, GL_QUERY_RESULT_AVAILABLE, &is_there);
+        glGetQueryObjectiv(queries_[place], GL_QUERY_RESULT_AVAILABLE, &is_there);
         if (!is_there) return;
         GLuint64 nanoseconds = 0;
-        glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
-        latest_ms_ = 1e-6 * static_cast<double>(nanoseconds);
+        glGetQueryObjectui64v(queries_[place], GL_QUERY_RESULT, &nanoseconds);
+        const double milliseconds = 1e-6 * static_cast<double>(nanoseconds);
+        const std::chrono::duration<double, std::milli> since = Clock::now() - begins_[place];
+        if (milliseconds <= since.count()) latest_ms_ = milliseconds;
         ++answered_;
     }
 }

@@ -18,7 +18,7 @@ namespace carom::gallery
 namespace
 {
 
-/// Triangles between the outer rectangle 0..3 and the inner one 4..7; a corner's bits say right and up.
+/// Triangles between the outer rectangle 0..3 and the inner one 4..7; the bits of a corner say right and up.
 constexpr std::array<GLubyte, 24> frame = {0, 1, 5, 0, 5, 4, 1, 3, 7, 1, 7, 5, 3, 2, 6, 3, 6, 7, 2, 0, 4, 2, 4, 6};
 
 std::string words_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetShaderInfoLog) get_words)

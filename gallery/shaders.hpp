@@ -4,21 +4,22 @@
 namespace carom::gallery
 {
 
-/// Puts a frame of two nested rectangles around a shape, turned as its first edge is, since every pixel costs. The inner rectangle is a
-/// point, but for a box or a disc that is not filled: then the frame leaves out the inside, where nothing is drawn.
+/// Puts a frame of two nested rectangles around a shape, turned as its first edge is, since every pixel costs. The frame leaves out the
+/// inside of a box or a disc that is not filled, where nothing is drawn. Around all others the inner rectangle shrinks to the outer
+/// corner 3, so that of the frame's eight triangles two cover everything and the others are empty.
 inline constexpr const char* vertex_shader = R"(#version 330 core
 layout(location = 0) in vec4 corners01;
 layout(location = 1) in vec4 corners23;
 layout(location = 2) in vec4 corners45;
 layout(location = 3) in vec4 corners67;
-layout(location = 4) in vec4 sizes; // radius, half of the line's width, number of corners, power
+layout(location = 4) in vec4 sizes; // radius, half of the line's width, number of corners, power or flat ends
 layout(location = 5) in vec4 fill;
 layout(location = 6) in vec4 line;
 
 uniform vec2 half_picture; // [pixels]
 
 out vec2 point; // from the middle of the picture, y up [pixels]
-flat out vec4 shape01;
+flat out vec4 shape01; // the corners; of a box, which says 0 corners, its middle and direction and half of its size
 flat out vec4 shape23;
 flat out vec4 shape45;
 flat out vec4 shape67;
@@ -47,23 +48,31 @@ void main()
         high = max(high, p);
     }
 
-    // A shape thinner than a pixel covers only a part of every pixel that it meets.
+    // The soft edge adds pi / 12 to a disc's area: it is made smaller by that. Below a pixel it stays as large and becomes fainter.
+    float share = 1.0;
+    float drawn_radius = radius;
+    if (count == 1 && radius < 16.0)
+    {
+        float least = max(radius, 0.6);
+        share = radius * radius / (least * least);
+        drawn_radius = sqrt(least * least - 1.0 / 12.0);
+    }
+
+    // Other shapes thinner than a pixel cover only a part of every pixel that they meet.
     vec2 fill_part = min(high - low + 2.0 * radius, 1.0);
     vec2 line_part = min(high - low + 2.0 * radius + 2.0 * half_line, 1.0);
-    most = vec2(fill_part.x * fill_part.y, line_part.x * line_part.y);
+    most = vec2(count == 1 ? 1.0 : fill_part.x * fill_part.y, line_part.x * line_part.y);
 
     vec2 middle = 0.5 * (low + high);
     vec2 outer = 0.5 * (high - low) + radius + half_line + 1.0;
     vec2 inner = vec2(0.0);
-    if (fill.a == 0.0)
-    {
-        vec2 diagonals = corners[0] + corners[2] - corners[1] - corners[3];
-        bool is_box = count == 4 && dot(diagonals, diagonals) < 1e-2 && abs(dot(corners[2] - corners[1], along)) < 1e-2;
-        if (is_box) inner = max(0.5 * (high - low) - half_line - 1.0, 0.0);
-        if (count == 1) inner = vec2(max(0.7 * (radius - half_line - 1.0), 0.0));
-    }
+    vec2 diagonals = corners[0] + corners[2] - corners[1] - corners[3];
+    bool is_box = count == 4 && dot(diagonals, diagonals) < 1e-4 && abs(dot(corners[2] - corners[1], along)) < 1e-2;
+    if (fill.a == 0.0 && is_box) inner = 0.5 * (high - low) - half_line - 1.0;
+    if (fill.a == 0.0 && count == 1) inner = vec2(0.7 * (radius - half_line - 1.0));
+    bool is_hollow = min(inner.x, inner.y) > 0.0;
     vec2 side = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
-    vec2 place = middle + side * (gl_VertexID < 4 ? outer : inner);
+    vec2 place = middle + (gl_VertexID < 4 ? side * outer : is_hollow ? side * inner : outer);
     point = place.x * along + place.y * across;
     gl_Position = vec4(point / half_picture, 0.0, 1.0);
 
@@ -71,8 +80,14 @@ void main()
     shape23 = corners23;
     shape45 = corners45;
     shape67 = corners67;
-    shape_sizes = sizes;
-    fill_color = vec4(fill.rgb * fill.a, fill.a);
+    shape_sizes = vec4(drawn_radius, sizes.yzw);
+    if (is_box)
+    {
+        shape01 = vec4(middle.x * along + middle.y * across, along);
+        shape23 = vec4(0.5 * (high - low), 0.0, 0.0);
+        shape_sizes.z = 0.0;
+    }
+    fill_color = share * vec4(fill.rgb * fill.a, fill.a);
     line_color = vec4(line.rgb * line.a, line.a);
 }
 )";
@@ -127,21 +142,47 @@ float distance_to_polygon(int count)
     return is_inside ? -sqrt(nearest) : sqrt(nearest);
 }
 
+float distance_to_box(vec2 middle, vec2 along, vec2 half_size)
+{
+    vec2 way = point - middle;
+    vec2 beyond = abs(vec2(dot(way, along), dot(way, vec2(-along.y, along.x)))) - half_size;
+    return length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0);
+}
+
+/// The distance to an endless line, and how much of the pixel lies between its two ends.
+vec2 distance_to_flat_line(vec2 a, vec2 b)
+{
+    float size = length(b - a);
+    vec2 along = (b - a) / max(size, 1e-6);
+    vec2 way = point - a;
+    float place = dot(way, along);
+    return vec2(abs(dot(way, vec2(-along.y, along.x))), clamp(min(place, size - place) + 0.5, 0.0, 1.0));
+}
+
 void main()
 {
     float radius = shape_sizes.x;
     float half_line = shape_sizes.y;
     int count = int(shape_sizes.z);
+    float lined = 1.0;
     float apart;
-    if (count == 1)
+    if (count == 0)
+        apart = distance_to_box(shape01.xy, shape01.zw, shape23.xy) - radius;
+    else if (count == 1)
         apart = distance_to_disc(shape01.xy, radius, shape_sizes.w);
+    else if (count == 2 && shape_sizes.w > 0.0)
+    {
+        vec2 flat_line = distance_to_flat_line(shape01.xy, shape01.zw);
+        apart = flat_line.x;
+        lined = flat_line.y;
+    }
     else if (count == 2)
         apart = length(way_from_edge(shape01.xy, shape01.zw)) - radius;
     else
         apart = distance_to_polygon(count) - radius;
 
     float filled = min(clamp(0.5 - apart, 0.0, 1.0), most.x);
-    float lined = min(max(min(apart + 0.5, half_line) - max(apart - 0.5, -half_line), 0.0), most.y);
+    lined *= min(max(min(apart + 0.5, half_line) - max(apart - 0.5, -half_line), 0.0), most.y);
     vec4 over = line_color * lined;
     color = over + fill_color * filled * (1.0 - over.a);
 }

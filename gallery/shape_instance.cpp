@@ -45,6 +45,15 @@ CutPolygon cut(const CutPolygon& polygon, Vec2 n, float limit)
     return result;
 }
 
+/// In double: the parts are large and nearly equal.
+float power_of(Vec2 center, float radius)
+{
+    const auto x = static_cast<double>(center.x);
+    const auto y = static_cast<double>(center.y);
+    const auto r = static_cast<double>(radius);
+    return static_cast<float>(x * x + y * y - r * r);
+}
+
 } // namespace
 
 InstanceMaker::InstanceMaker(const scenes::Camera& camera, scenes::Viewport viewport, const Theme& theme)
@@ -58,33 +67,43 @@ InstanceMaker::InstanceMaker(const scenes::Camera& camera, scenes::Viewport view
 
 void InstanceMaker::add(const scenes::DrawnLayer& layer, std::vector<ShapeInstance>& instances)
 {
+    // Each is made where it stays, and taken away again when the picture shows nothing of it.
     for (const scenes::DrawnShape& shape : layer.shapes)
     {
-        ShapeInstance instance;
-        instance.half_line = shape.paint.line.a > 0 ? half_per_unit_ * shape.paint.line_width : 0;
-        if (!place(shape.geometry, shape.transform, instance)) continue;
-        instance.fill = packed(shape.paint.fill);
-        instance.line = packed(shape.paint.line);
-        push(instance, instances);
+        if (!place(shape, instances.emplace_back())) instances.pop_back();
     }
     for (const scenes::DrawnLine& line : layer.lines)
     {
-        ShapeInstance instance;
-        instance.half_line = half_per_unit_ * line.width;
-        instance.count = 2;
-        instance.corners[0] = to_picture(line.from);
-        instance.corners[1] = to_picture(line.to);
-        if (!is_visible(instance)) continue;
-        instance.line = packed(line.color);
-        push(instance, instances);
+        if (!place(line, instances.emplace_back())) instances.pop_back();
     }
+}
+
+bool InstanceMaker::place(const scenes::DrawnShape& shape, ShapeInstance& instance)
+{
+    set_corners(shape.geometry, shape.transform, instance);
+    instance.half_line = shape.paint.line.a > 0 ? half_per_unit_ * shape.paint.line_width : 0;
+    if (!is_visible(instance) || !clip(instance)) return false;
+    if (instance.count == 1) instance.power = power_of(instance.corners[0], instance.radius);
+    instance.fill = packed(shape.paint.fill);
+    instance.line = packed(shape.paint.line);
+    return true;
+}
+
+bool InstanceMaker::place(const scenes::DrawnLine& line, ShapeInstance& instance)
+{
+    instance.corners[0] = to_picture(line.from);
+    instance.corners[1] = to_picture(line.to);
+    instance.count = 2;
+    instance.half_line = half_per_unit_ * line.width;
+    if (!is_visible(instance) || !clip(instance)) return false;
+    instance.power = line.color.a < 1 ? 1 : 0; // round ends would show twice where translucent lines follow each other
+    instance.line = packed(line.color);
+    return true;
 }
 
 Vec2 InstanceMaker::to_picture(Vec2 world) const { return scale_ * (world - center_); }
 
-/// Fills in corners and radius.
-/// @return whether the picture shows something of it
-bool InstanceMaker::place(const Geometry& geometry, const Transform& transform, ShapeInstance& instance) const
+void InstanceMaker::set_corners(const Geometry& geometry, const Transform& transform, ShapeInstance& instance) const
 {
     const Transform seen{.p = transform.p - center_, .q = transform.q};
     const auto set = [&](std::span<const Vec2> points, float radius)
@@ -101,7 +120,6 @@ bool InstanceMaker::place(const Geometry& geometry, const Transform& transform, 
         set(std::array{s->p1, s->p2}, 0);
     else if (const auto* const p = std::get_if<Polygon>(&geometry))
         set({p->vertices.data(), static_cast<std::size_t>(std::clamp(p->count, 1, max_polygon_vertices))}, p->radius);
-    return is_visible(instance);
 }
 
 /// False also for what is not finite.
@@ -140,19 +158,6 @@ bool InstanceMaker::clip(ShapeInstance& instance) const
     std::copy_n(polygon.corners.begin(), polygon.count, instance.corners.begin());
     instance.count = static_cast<float>(polygon.count);
     return polygon.count > 0;
-}
-
-void InstanceMaker::push(ShapeInstance& instance, std::vector<ShapeInstance>& instances) const
-{
-    if (!clip(instance)) return;
-    if (instance.count == 1)
-    {
-        const auto x = static_cast<double>(instance.corners[0].x);
-        const auto y = static_cast<double>(instance.corners[0].y);
-        const auto r = static_cast<double>(instance.radius);
-        instance.power = static_cast<float>(x * x + y * y - r * r);
-    }
-    instances.push_back(instance);
 }
 
 std::uint32_t InstanceMaker::packed(Color color)

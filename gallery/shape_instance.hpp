@@ -14,14 +14,15 @@ namespace carom::gallery
 {
 
 /// The points within `radius` of a convex polygon of 1 to 8 corners, filled and bordered; the layout is that of the shader's attributes.
-/// A disc has 1 corner, a capsule 2; lines have 2 and no radius.
+/// A disc has 1 corner, a capsule 2; lines have 2 and no radius. `power` is, of a disc, the power of the picture's middle,
+/// |corner|^2 - radius^2 [pixels^2], and of a line 1 when its ends are flat and 0 when they are round.
 struct ShapeInstance
 {
     std::array<Vec2, 8> corners = {}; ///< from the middle of the picture, y up, counter-clockwise [pixels]
     float radius = 0;                 ///< [pixels]
     float half_line = 0;              ///< half of the border's width; 0 for none [pixels]
     float count = 0;                  ///< of corners
-    float power = 0;                  ///< of the picture's middle with respect to a disc: |corner|^2 - radius^2 [pixels^2]
+    float power = 0;                  ///< see below
     std::uint32_t fill = 0;           ///< red, green, blue, opacity, a byte each from the lowest
     std::uint32_t line = 0;
 };
@@ -38,11 +39,13 @@ public:
     void add(const scenes::DrawnLayer& layer, std::vector<ShapeInstance>& instances);
 
 private:
+    /// @return whether the picture shows something of it
+    bool place(const scenes::DrawnShape& shape, ShapeInstance& instance);
+    bool place(const scenes::DrawnLine& line, ShapeInstance& instance);
     Vec2 to_picture(Vec2 world) const;
-    bool place(const Geometry& geometry, const Transform& transform, ShapeInstance& instance) const;
+    void set_corners(const Geometry& geometry, const Transform& transform, ShapeInstance& instance) const;
     bool is_visible(const ShapeInstance& instance) const;
     bool clip(ShapeInstance& instance) const;
-    void push(ShapeInstance& instance, std::vector<ShapeInstance>& instances) const;
     std::uint32_t packed(scenes::Color color);
 
     Vec2 center_;         ///< of the picture [m]

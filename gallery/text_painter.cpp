@@ -28,7 +28,7 @@ ImU32 packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.
 struct Letters
 {
     ImFont* font;
-    float size;    ///< [points]
+    float size;    ///< of a line [points]
     float width;   ///< where lines break; 0 for never [points]
     ImVec2 extent; ///< [points]
 };
@@ -52,7 +52,7 @@ public:
     void paint(const DrawnText& text)
     {
         const Letters letters = letters_for(text);
-        const float line_space = 0.25f * letters.size;
+        const float line_space = 0.2f * letters.size;
         ImVec2 place{free_min_.x + margin * unit_, top_};
         if (text.place == Place::TopLeft) top_ += letters.extent.y + line_space;
         if (text.place == Place::BottomLeft)
@@ -73,7 +73,7 @@ private:
     Letters letters_for(const DrawnText& text) const
     {
         const float wanted = std::clamp(unit_ * text.size, smallest * ui_scale_, largest * ui_scale_);
-        Letters letters{.font = nearest_font(wanted * pixels_per_point_), .size = 0, .width = 0, .extent = {}};
+        Letters letters{.font = nearest_font(line_distance * wanted * pixels_per_point_), .size = 0, .width = 0, .extent = {}};
         letters.size = letters.font->FontSize / pixels_per_point_;
         if (text.place != Place::World) letters.width = std::max(free_max_.x - free_min_.x - 2 * margin * unit_, 4 * letters.size);
         letters.extent = letters.font->CalcTextSizeA(letters.size, FLT_MAX, letters.width, text.text.c_str());

@@ -22,7 +22,7 @@ float chroma(Color c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c
 /// 0 for greys and tinted greys, 1 for what has a hue of its own.
 float vividness(Color c)
 {
-    const float t = std::clamp((chroma(c) - 0.11f) / 0.13f, 0.0f, 1.0f);
+    const float t = std::clamp((chroma(c) - 0.15f) / 0.12f, 0.0f, 1.0f);
     return t * t * (3 - 2 * t);
 }
 
@@ -62,7 +62,8 @@ Color for_white_ground(Color c)
     const Color dark = scenes::mix({0, 0, 0, c.a}, c, brightest / level);
     const float from_yellow = std::abs(hue_of(c) - 52);
     const float yellow = std::clamp(1.6f - from_yellow / 15, 0.0f, 1.0f) * std::clamp((level - brightest) / 0.1f, 0.0f, 1.0f);
-    return scenes::mix(dark, with_alpha(amber, c.a), yellow);
+    const float pale = std::clamp(c.b - 0.32f, 0.0f, 1.0f); // what was lighter stays lighter
+    return scenes::mix(dark, with_alpha(lighter(amber, 0.8f * pale), c.a), yellow);
 }
 
 Color for_light_theme(Color c) { return scenes::mix(turned_around(c), for_white_ground(c), vividness(c)); }
@@ -93,7 +94,7 @@ Color safe(Color c)
     Color target = stretch->color;
     const float level = brightness(c);
     if (target == sky_blue && level < 0.52f) target = blue;
-    const float shift = std::clamp(0.5f * (level - brightness(target)), -0.3f, 0.12f);
+    const float shift = std::clamp(0.8f * (level - brightness(target)), -0.3f, 0.2f);
     const Color shaded = shift < 0 ? darker(target, -shift / brightness(target)) : lighter(target, shift);
     return with_alpha(shaded, c.a);
 }

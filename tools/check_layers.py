@@ -27,7 +27,7 @@ PROGRAMS = {
     "lab": ["include", "scenes", "lab"],
     "cli": ["include", "scenes", "lab", "cli"],
     "gallery": ["include", "scenes", "lab", "gallery"],
-    "tests": ["include", "src", "scenes", "lab", "cli", "tests"],
+    "tests": ["include", "src", "scenes", "lab", "cli", "gallery", "tests"],
 }
 # These may use no other library than the standard one, and the compilers' headers for SIMD.
 STANDARD_ONLY = {"include", "src", "scenes"}
