@@ -78,6 +78,7 @@ SDL_GLContext open_gl(SDL_Window* window)
     return context;
 }
 
+/// Whether SDL draws where nobody sees it.
 bool is_offscreen()
 {
     const char* const driver = SDL_GetCurrentVideoDriver();
@@ -111,13 +112,18 @@ Window::Video::Video()
 {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0"); // other windows go on as they are
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");           // the click that raises the window counts
-    if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0)
+    const bool is_open = SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
+    std::string reason = is_open ? "" : SDL_GetError();
+    const char* const asked = SDL_GetHint(SDL_HINT_VIDEODRIVER); // which holds the variable too
+    if (is_open && is_offscreen() && !asked)
     {
-        SDL_EnableScreenSaver();
-        return;
+        SDL_QuitSubSystem(SDL_INIT_VIDEO); // SDL's last resort, but a program that nobody sees is not what was meant
+        reason = "neither X11 nor Wayland answers";
     }
-    throw Failure(std::string("no display: ") + SDL_GetError() +
-                  ". Set DISPLAY to an X server's name, or SDL_VIDEODRIVER=offscreen to draw without a display.");
+    if (!reason.empty())
+        throw Failure("no display: " + reason +
+                      ". Set DISPLAY to an X server's name, or SDL_VIDEODRIVER=offscreen to draw without a display.");
+    SDL_EnableScreenSaver();
 }
 
 Window::Video::~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
