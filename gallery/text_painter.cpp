@@ -36,9 +36,10 @@ struct Letters
 class Painter
 {
 public:
-    Painter(const Renderer::View& view, const Theme& theme, float pixels_per_point, ImVec2 free_min, ImVec2 free_max)
+    Painter(const Renderer::View& view, const Theme& theme, Color rim, float pixels_per_point, ImVec2 free_min, ImVec2 free_max)
         : view_(view),
           theme_(theme),
+          rim_(rim),
           pixels_per_point_(pixels_per_point),
           free_min_(free_min),
           free_max_(free_max)
@@ -63,8 +64,8 @@ public:
         if (text.place == Place::World)
         {
             const Vec2 middle = to_pixels(view_.camera, view_.viewport, text.position) / pixels_per_point_;
-            if (!is_finite(middle)) return;
             place = {middle.x - 0.5f * letters.extent.x, middle.y - 0.5f * letters.extent.y};
+            if (!is_visible(place, letters.extent)) return;
         }
         write(text, letters, place);
     }
@@ -80,13 +81,20 @@ private:
         return letters;
     }
 
+    /// False also for what is not finite.
+    static bool is_visible(ImVec2 place, ImVec2 extent)
+    {
+        const ImVec2 window = ImGui::GetIO().DisplaySize;
+        return place.x < window.x && place.y < window.y && place.x + extent.x > 0 && place.y + extent.y > 0;
+    }
+
     void write(const DrawnText& text, const Letters& letters, ImVec2 place) const
     {
         ImDrawList& list = *ImGui::GetBackgroundDrawList();
         const char* const begin = text.text.c_str();
         const char* const end = begin + text.text.size();
         const Color letter_color = theme_.for_text(text.color);
-        const ImU32 rim = packed(with_alpha(theme_(scenes::night), 0.45f * text.color.a));
+        const ImU32 rim = packed(with_alpha(rim_, 0.45f * text.color.a));
         const float step = std::max(1.0f, letters.size / 18);
         constexpr std::array<Vec2, 8> around = {Vec2{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
         for (const Vec2 way : around)
@@ -96,6 +104,7 @@ private:
 
     const Renderer::View& view_;
     const Theme& theme_;
+    Color rim_;
     float pixels_per_point_;
     ImVec2 free_min_;
     ImVec2 free_max_;
@@ -110,7 +119,7 @@ private:
 void paint_texts(const scenes::DrawList& list, const Renderer::View& view, const Theme& theme, float pixels_per_point, ImVec2 free_min,
                  ImVec2 free_max)
 {
-    Painter painter(view, theme, pixels_per_point, free_min, free_max);
+    Painter painter(view, theme, theme(list.background), pixels_per_point, free_min, free_max);
     for (const scenes::DrawnLayer& layer : list.layers())
     {
         for (const DrawnText& text : layer.texts) painter.paint(text);

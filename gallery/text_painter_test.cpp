@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <imgui.h>
+#include <limits>
 
 namespace carom::gallery
 {
@@ -102,6 +103,15 @@ TEST_F(TextPainterTest, texts_of_the_world_are_centred_at_their_place)
     const Touched text = touched(list_of({.text = "HHHH", .size = 40, .place = Place::World, .position = {100, 50}}));
     EXPECT_NEAR(0.5f * static_cast<float>(text.left + text.right), 420, 2);
     EXPECT_NEAR(0.5f * static_cast<float>(text.top + text.bottom), 150, 3);
+}
+
+TEST_F(TextPainterTest, texts_that_are_nowhere_in_the_window_write_nothing)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    DrawList list = black_list();
+    for (const Vec2 place : {Vec2{500, 0}, {0, -300}, {1e30f, -1e30f}, {nan, 0}})
+        list.text({.text = "HHHH", .size = 40, .place = Place::World, .position = place});
+    EXPECT_EQ(touched(list).right, -1);
 }
 
 TEST_F(TextPainterTest, letters_are_never_too_small_nor_too_large)

@@ -2,6 +2,7 @@
 #include "gallery/window.hpp"
 
 #include "gallery/failure.hpp"
+#include "gallery/leak_check.hpp"
 
 #include <SDL.h>
 #include <algorithm>
@@ -54,6 +55,7 @@ std::string found_opengl(SDL_Window* window)
     return found;
 }
 
+/// @throws Failure
 SDL_Window* open_window(const WindowOptions& options)
 {
     set_attributes(true);
@@ -64,10 +66,12 @@ SDL_Window* open_window(const WindowOptions& options)
     return window;
 }
 
+/// @throws Failure
 SDL_GLContext open_gl(SDL_Window* window)
 {
     SDL_GLContext context = SDL_GL_CreateContext(window);
     const std::string reason = context ? "" : SDL_GetError();
+    keep_libraries_loaded();
     if (!context) throw Failure("OpenGL 3.3 is needed; " + found_opengl(window) + " (" + reason + "). " + driver_remedy);
     if (epoxy_gl_version() < needed_version)
     {
