@@ -100,8 +100,8 @@ void set_controls(StyleColors colors, const Surfaces& s)
     colors.set(ImGuiCol_CheckMark, s.accent);
     colors.set(ImGuiCol_SliderGrab, mix(s.accent, s.field, 0.15f));
     colors.set(ImGuiCol_SliderGrabActive, s.accent);
-    colors.set(ImGuiCol_Header, with_alpha(s.accent, 0.22f));
-    colors.set(ImGuiCol_HeaderHovered, with_alpha(s.accent, 0.32f));
+    colors.set(ImGuiCol_Header, with_alpha(s.accent, 0.18f));
+    colors.set(ImGuiCol_HeaderHovered, with_alpha(s.accent, 0.28f));
     colors.set(ImGuiCol_HeaderActive, with_alpha(s.accent, 0.45f));
     colors.set(ImGuiCol_Tab, mix(s.panel, s.field, 0.6f));
     colors.set(ImGuiCol_TabHovered, mix(s.field, s.accent, 0.45f));
