@@ -304,6 +304,7 @@ SceneInfo car_scene()
             real("suspension", {1, 4, 20}, "1/s", Applies::Live, "swings of the springs in a second"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Car>(setup); },
+        .drags_bodies = true,
     };
 }
 

@@ -149,7 +149,7 @@ void ChainTerrain::on_draw(DrawList& list) const
         const Vec2 a = points_[i - 1];
         const Vec2 b = points_[i];
         const Color color = grounds[ground_at(0.5f * (a.x + b.x))].color;
-        const float depth = -20;
+        const float depth = -60;
         const float over = 0.05f; // the next strip covers the seam
         const std::array<Vec2, 4> strip = {Vec2{a.x, depth}, Vec2{b.x + over, depth}, Vec2{b.x + over, b.y}, a};
         list.shape(Layer::Background, convex_hull(strip), {}, {.fill = darker(color, 0.78f)});

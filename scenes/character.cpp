@@ -206,7 +206,7 @@ void CharacterCourse::on_key(std::string_view name)
     if (name == "right") heading_ = 1;
     if (name == "down") heading_ = 0;
     if (name == "up") wants_jump_ = true;
-    if (name == "r") renew_player();
+    if (name == "h") renew_player();
 }
 
 void CharacterCourse::on_draw(DrawList& list) const
@@ -272,7 +272,7 @@ SceneInfo character_scene()
             {Control::Kind::Key, "right", "walk to the right"},
             {Control::Kind::Key, "down", "stand"},
             {Control::Kind::Key, "up", "jump"},
-            {Control::Kind::Key, "r", "back to the start"},
+            {Control::Kind::Key, "h", "home: back to the start"},
         }),
         .parameters = with_common_parameters({
             real("speed", {0.5, 3, 20}, "m/s", Applies::Live, "of walking"),

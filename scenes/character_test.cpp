@@ -59,7 +59,7 @@ TEST(CharacterScene, keys_take_over)
     scene->key("up");
     scene->step();
     EXPECT_GT(player(*scene).y, rest.y + 0.05f);
-    scene->key("r");
+    scene->key("h");
     EXPECT_LT(player(*scene).x, -11.7f);
 }
 

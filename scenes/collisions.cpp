@@ -168,6 +168,7 @@ void Collisions::on_draw(DrawList& list) const
         const Look* look = looks_.find(id);
         if (world().body(world().shape(id).body()).type() == BodyType::Static)
             return list.shape(Layer::Bodies, geometry, transform, {.fill = slate});
+        if (!look) return; // a guest
         list.shape(Layer::Bodies, geometry, transform, {.fill = look->color});
         // Both can be on, so the later one is the smaller.
         if (look->entered.is_on(time())) list.shape(Layer::Marks, scaled(geometry, 0.5f), transform, {.fill = fresh});

@@ -43,7 +43,7 @@ Geometry scaled(const Geometry& geometry, float factor)
 
 void DrawList::shape(Layer layer, const Geometry& geometry, const Transform& transform, const Paint& paint)
 {
-    at(layer).shapes.push_back({geometry, transform, paint});
+    this->layer(layer).shapes.push_back({geometry, transform, paint});
 }
 
 void DrawList::disc(Layer layer, Vec2 center, float radius, const Paint& paint)
@@ -62,9 +62,12 @@ void DrawList::box(Layer layer, const Aabb& box, const Paint& paint)
     shape(layer, p, {}, paint);
 }
 
-void DrawList::line(Layer layer, Vec2 from, Vec2 to, Color color, float width) { at(layer).lines.push_back({from, to, color, width}); }
+void DrawList::line(Layer layer, Vec2 from, Vec2 to, Color color, float width)
+{
+    this->layer(layer).lines.push_back({from, to, color, width});
+}
 
-void DrawList::text(DrawnText text) { at(Layer::Captions).texts.push_back(std::move(text)); }
+void DrawList::text(DrawnText text) { layer(Layer::Captions).texts.push_back(std::move(text)); }
 
 void DrawList::clear()
 {

@@ -85,11 +85,10 @@ public:
 
     Color background = night;
     const DrawnLayer& layer(Layer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
+    DrawnLayer& layer(Layer layer) { return layers_[static_cast<std::size_t>(layer)]; }
     const std::array<DrawnLayer, layer_count>& layers() const { return layers_; }
 
 private:
-    DrawnLayer& at(Layer layer) { return layers_[static_cast<std::size_t>(layer)]; }
-
     std::array<DrawnLayer, layer_count> layers_;
 };
 

@@ -21,8 +21,8 @@ struct Exhibit
     const char* what;
 };
 constexpr std::array exhibits = {
-    Exhibit{"Revolute", "motor between limits, free pin"},
-    Exhibit{"Prismatic", "motor on a rail, spring on a rail"},
+    Exhibit{"Revolute", "motor, limits; free pin"},
+    Exhibit{"Prismatic", "motor; spring on a rail"},
     Exhibit{"Distance", "rod, rope, spring"},
     Exhibit{"Weld", "stiff and soft"},
     Exhibit{"Wheel", "suspension and motor"},
@@ -514,6 +514,7 @@ SceneInfo joints_scene()
         .controls = with_common_controls({drag_control()}),
         .parameters = with_common_parameters({}),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Joints>(setup); },
+        .drags_bodies = true,
     };
 }
 

@@ -84,13 +84,21 @@ void Scene::key(std::string_view name)
     if (std::any_of(info_.controls.begin(), info_.controls.end(), is_it)) on_key(key);
 }
 
-StepReport Scene::step(StepObserver* observer)
+std::optional<BodyId> Scene::add_guest(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape)
+{
+    if (!may_add_at(def.position)) return std::nullopt;
+    const BodyId body = world_.create_body(def, geometry, shape);
+    guests_.push_back(body);
+    return body;
+}
+
+StepReport Scene::step(StepObserver* observer, StepProbe* probe)
 {
     before_step();
     const float dt = step_length();
     const int substeps = integer("substeps");
     if (observer) observer->world_step_begins();
-    const StepReport report = world_.step(dt, substeps);
+    const StepReport report = world_.step(dt, substeps, probe);
     if (observer) observer->world_step_ended();
     time_ += static_cast<double>(dt);
     after_step(report);
@@ -101,8 +109,22 @@ void Scene::draw(DrawList& list) const
 {
     if (boolean("show_squares")) draw_broad_phase(world_, list);
     on_draw(list);
+    draw_guests(list);
     if (boolean("show_bounds")) draw_bounds(world_, list);
     draw_captions(list);
+}
+
+void Scene::draw_guests(DrawList& list) const
+{
+    for (std::size_t i = 0; i < guests_.size(); ++i)
+    {
+        const std::optional<BodyView> body = world_.find_body(guests_[i]);
+        if (!body) continue;
+        constexpr float golden_ratio = 0.618034f; // hues that follow each other are far apart
+        const Color color = from_hue(golden_ratio * static_cast<float>(i), 0.55f, 0.62f);
+        for (const ShapeId shape : body->shapes())
+            list.shape(Layer::Bodies, world_.shape(shape).geometry(), body->transform(), {.fill = color, .line = darker(color, 0.4f)});
+    }
 }
 
 void Scene::draw_captions(DrawList& list) const

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,8 @@ struct SceneInfo
     /// Whether the scene stands still with its defaults until someone touches it, as a house of cards does. Of all others a test asks that
     /// they move by themselves, so that a person who opens one sees at once what it is about.
     bool is_calm = false;
+    /// Whether the left button takes hold of bodies in the scene itself; a front end that offers it for every scene then leaves it to this one.
+    bool drags_bodies = false;
 };
 
 struct PointerEvent
@@ -108,8 +111,13 @@ public:
     /// A key was pressed. Keys that no control names are ignored.
     void key(std::string_view name);
 
+    /// A body that a person adds to a scene, whatever that is about. The scene draws it; a restart takes it away.
+    /// @return none when the scene is full or another body is in the way, and the picture says so
+    std::optional<BodyId> add_guest(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape = {});
+
     /// Advances the scene by one step of its own fixed length.
-    StepReport step(StepObserver* observer = nullptr);
+    /// @param probe sees the inside of the world's step
+    StepReport step(StepObserver* observer = nullptr, StepProbe* probe = nullptr);
     float time_step() const { return 1 / parameters_.real("step_rate"); } ///< [s]
     double time() const { return time_; }                                 ///< simulated so far [s]
 
@@ -148,12 +156,14 @@ protected:
     Camera camera_;
 
 private:
+    void draw_guests(DrawList& list) const;
     void draw_captions(DrawList& list) const;
 
     const SceneInfo& info_;
     Parameters parameters_;
     std::uint64_t seed_;
     World world_;
+    std::vector<BodyId> guests_;
     double time_ = 0;
     std::string message_;
     double message_until_ = 0;

@@ -217,6 +217,39 @@ TEST_P(EveryScene, starts_at_the_least_value_of_every_parameter)
     }
 }
 
+TEST_P(EveryScene, says_whether_it_drags_bodies)
+{
+    const auto scene = make();
+    step(*scene, 2);
+    const int joints = scene->world().joint_count();
+    const auto grabs = [&](BodyId id)
+    {
+        const Vec2 place = scene->world().body(id).center_of_mass();
+        if (scene->world().body(id).type() != BodyType::Dynamic || !shape_at(scene->world(), place)) return false;
+        scene->pointer({PointerEvent::Action::Down, PointerEvent::Button::Left, place});
+        return scene->world().joint_count() > joints;
+    };
+    const std::vector<BodyId> bodies = scene->world().bodies();
+    EXPECT_EQ(std::any_of(bodies.begin(), bodies.end(), grabs), scene->info().drags_bodies);
+}
+
+TEST_P(EveryScene, takes_guests)
+{
+    const auto scene = make();
+    const int bodies = scene->world().body_count();
+    const Vec2 top = scene->camera().center + Vec2{0, 0.45f * scene->camera().height};
+    const std::optional<BodyId> guest = scene->add_guest({.position = top}, circle(0.1f));
+    ASSERT_EQ(scene->world().body_count(), bodies + (guest ? 1 : 0));
+    step(*scene, 60);
+    DrawList list;
+    scene->draw(list);
+    if (!guest || !scene->world().find_body(*guest)) return;
+    const Vec2 place = scene->world().body(*guest).position();
+    const auto& shapes = list.layer(Layer::Bodies).shapes;
+    EXPECT_TRUE(std::any_of(shapes.begin(), shapes.end(), [&](const DrawnShape& shape) { return shape.transform.p == place; }));
+    EXPECT_THROW(scene->add_guest({.position = {NAN, 0}}, circle(0.1f)), UsageError);
+}
+
 TEST_P(EveryScene, explains_itself)
 {
     const SceneInfo& info = make()->info();

@@ -164,7 +164,9 @@ void Triggers::on_draw(DrawList& list) const
     list.box(Layer::Background, field_, {.line = slate, .line_width = 2});
     for_each_shape(world(), [&](ShapeId id, const Geometry& geometry, const Transform& transform)
     {
-        const Look& look = *looks_.find(id);
+        const Look* const found = looks_.find(id);
+        if (!found) return; // a guest
+        const Look& look = *found;
         const Color color = look.overlaps > 0 ? touching_color : look.calm;
         list.shape(Layer::Bodies, geometry, transform, {.fill = with_alpha(color, 0.62f), .line = color});
         // Both can be on: then green stands outside of red.
