@@ -1,4 +1,4 @@
-// A ring of OpenGL's queries of elapsed time.
+// A ring of OpenGL's queries of the time. Two timestamps, since a query of elapsed time that holds a clear gives nonsense on Mesa's software renderer.
 #include "gallery/gpu_timer.hpp"
 
 #include <epoxy/gl.h>
@@ -6,27 +6,55 @@
 namespace carom::gallery
 {
 
-GpuTimer::GpuTimer() { glGenQueries(static_cast<GLsizei>(ring_size), queries_.data()); }
+namespace
+{
+
+GLuint64 answer_of(unsigned query)
+{
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
+    return nanoseconds;
+}
+
+bool is_there(unsigned query)
+{
+    GLint there = GL_FALSE;
+    glGetQueryObjectiv(query, GL_QUERY_RESULT_AVAILABLE, &there);
+    return there != GL_FALSE;
+}
+
+} // namespace
+
+GpuTimer::GpuTimer()
+{
+    for (Pair& pair : queries_)
+    {
+        glGenQueries(1, &pair.begin);
+        glGenQueries(1, &pair.end);
+    }
+}
 
 GpuTimer::~GpuTimer()
 {
-    end();
-    glDeleteQueries(static_cast<GLsizei>(ring_size), queries_.data());
+    for (const Pair& pair : queries_)
+    {
+        glDeleteQueries(1, &pair.begin);
+        glDeleteQueries(1, &pair.end);
+    }
 }
 
 void GpuTimer::begin()
 {
     collect();
     if (is_running_ || asked_ - answered_ == ring_size) return;
-    begins_[asked_ % ring_size] = Clock::now();
-    glBeginQuery(GL_TIME_ELAPSED, queries_[asked_ % ring_size]);
+    glQueryCounter(queries_[asked_ % ring_size].begin, GL_TIMESTAMP);
     is_running_ = true;
 }
 
 void GpuTimer::end()
 {
     if (!is_running_) return;
-    glEndQuery(GL_TIME_ELAPSED);
+    glQueryCounter(queries_[asked_ % ring_size].end, GL_TIMESTAMP);
     is_running_ = false;
     ++asked_;
 }
@@ -41,15 +69,11 @@ void GpuTimer::collect()
 {
     while (answered_ < asked_)
     {
-        const std::size_t place = answered_ % ring_size;
-        GLint is_there = GL_FALSE;
-        glGetQueryObjectiv(queries_[place], GL_QUERY_RESULT_AVAILABLE, &is_there);
-        if (!is_there) return;
-        GLuint64 nanoseconds = 0;
-        glGetQueryObjectui64v(queries_[place], GL_QUERY_RESULT, &nanoseconds);
-        const double milliseconds = 1e-6 * static_cast<double>(nanoseconds);
-        const std::chrono::duration<double, std::milli> since = Clock::now() - begins_[place];
-        if (milliseconds <= since.count()) latest_ms_ = milliseconds;
+        const Pair& pair = queries_[answered_ % ring_size];
+        if (!is_there(pair.end)) return;
+        const GLuint64 begin = answer_of(pair.begin);
+        const GLuint64 end = answer_of(pair.end);
+        if (end >= begin) latest_ms_ = 1e-6 * static_cast<double>(end - begin);
         ++answered_;
     }
 }

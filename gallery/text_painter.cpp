@@ -18,9 +18,10 @@ using scenes::DrawnText;
 using scenes::Place;
 
 constexpr float reference_height = 720; // sizes of a draw list's texts are in 1/720 of the picture's height
-constexpr float smallest = 12;          // [points]
+constexpr float smallest = 12;          // of a caption [points]
+constexpr float smallest_in_world = 9;  // of a text among the bodies, which must not run into the next one [points]
 constexpr float largest = 30;           // [points]
-constexpr float margin = 18;            // in 1/720 of the free height
+constexpr float margin = 18;            // in 1/720 of the fitted picture's height
 
 ImU32 packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
 
@@ -44,7 +45,9 @@ public:
           free_min_(free_min),
           free_max_(free_max)
     {
-        unit_ = std::max(free_max.y - free_min.y, 1.0f) / reference_height;
+        // Scenes are composed for pictures of 16 to 9, and fitted into the free part as such.
+        const float fitted = std::min(free_max.y - free_min.y, (free_max.x - free_min.x) * 9 / 16);
+        unit_ = std::max(fitted, 1.0f) / reference_height;
         ui_scale_ = std::max(ImGui::GetFontSize() / 15, 1.0f);
         top_ = free_min.y + margin * unit_;
         bottom_ = free_max.y - margin * unit_;
@@ -73,7 +76,8 @@ public:
 private:
     Letters letters_for(const DrawnText& text) const
     {
-        const float wanted = std::clamp(unit_ * text.size, smallest * ui_scale_, largest * ui_scale_);
+        const float least = text.place == Place::World ? smallest_in_world : smallest;
+        const float wanted = std::clamp(unit_ * text.size, least * ui_scale_, largest * ui_scale_);
         Letters letters{.font = nearest_font(line_distance * wanted * pixels_per_point_), .size = 0, .width = 0, .extent = {}};
         letters.size = letters.font->FontSize / pixels_per_point_;
         if (text.place != Place::World) letters.width = std::max(free_max_.x - free_min_.x - 2 * margin * unit_, 4 * letters.size);
@@ -108,7 +112,7 @@ private:
     float pixels_per_point_;
     ImVec2 free_min_;
     ImVec2 free_max_;
-    float unit_ = 1;     ///< 1/720 of the free height [points]
+    float unit_ = 1;     ///< 1/720 of the fitted picture's height [points]
     float ui_scale_ = 1; ///< of the panels' letters
     float top_ = 0;      ///< where the next caption from the top goes [points]
     float bottom_ = 0;

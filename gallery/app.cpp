@@ -1,0 +1,313 @@
+// Frame by frame: events, steps, the picture, the panels.
+#include "gallery/app.hpp"
+
+#include "gallery/failure.hpp"
+#include "gallery/keys.hpp"
+#include "gallery/overlay_names.hpp"
+#include "gallery/panels.hpp"
+#include "gallery/text_painter.hpp"
+
+#include <SDL.h>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+constexpr double ms = 1000;                // in a second
+constexpr double counted_frame = 1 / 60.0; // what a frame stands for when frames are counted [s]
+
+constexpr std::chrono::milliseconds shortest_frame{4};
+
+/// A panel that has just appeared takes a few frames to find its size.
+constexpr int settling_frames = 4;
+
+double ms_between(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b)
+{
+    return ms * std::chrono::duration<double>(b - a).count();
+}
+
+WindowOptions window_options(const Options& options)
+{
+    WindowOptions window;
+    window.title = "Carom";
+    window.width = options.width;
+    window.height = options.height;
+    window.vsync = options.frames == 0; // who counts frames does not wait for the screen
+    return window;
+}
+
+Modifiers modifiers()
+{
+    const SDL_Keymod held = SDL_GetModState();
+    return {.shift = (held & KMOD_SHIFT) != 0, .ctrl = (held & KMOD_CTRL) != 0};
+}
+
+std::optional<Button> button_of(std::uint8_t button)
+{
+    switch (button)
+    {
+    case SDL_BUTTON_LEFT: return Button::Left;
+    case SDL_BUTTON_MIDDLE: return Button::Middle;
+    case SDL_BUTTON_RIGHT: return Button::Right;
+    default: return std::nullopt;
+    }
+}
+
+Vec2 point_of(int x, int y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+
+nlohmann::json json_of(const FrameTimes& t)
+{
+    return {{"step", t.step},  {"draw", t.draw}, {"panels", t.panels}, {"draw_gpu", t.draw_gpu}, {"panels_gpu", t.panels_gpu},
+            {"whole", t.whole}};
+}
+
+} // namespace
+
+App::App(const Options& options)
+    : options_(options),
+      window_(window_options(options)),
+      gallery_(options.scene, options.values, options.seed),
+      last_frame_(SteadyClock::now())
+{
+    gallery_.theme = options.theme;
+    gallery_.palette = options.palette;
+    gallery_.shows_panels = options.has_panels;
+    gallery_.wanted_tab = options.tab;
+    for (const std::string& name : options.shown) gallery_.draw.*find_overlay(name) = true;
+    if (!options.widgets.empty()) gallery_.widgets.want(options.widgets);
+    theme_ = Theme(gallery_.theme, gallery_.palette);
+    apply_to_imgui(gallery_.theme, window_.ui_scale());
+}
+
+void App::run()
+{
+    while (!gallery_.wants_quit && (options_.frames == 0 || frame_ < options_.frames))
+    {
+        frame();
+        ++frame_;
+    }
+}
+
+double App::elapsed(SteadyClock::time_point now)
+{
+    const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
+    return options_.frames > 0 ? counted_frame : seconds;
+}
+
+void App::frame()
+{
+    const SteadyClock::time_point start = SteadyClock::now();
+    FrameTimes times;
+    times.whole = ms_between(last_frame_, start);
+    const double seconds = elapsed(start);
+    const bool is_last = options_.frames > 0 && frame_ + 1 == options_.frames;
+
+    handle_events();
+    if (options_.inside >= 0 && frame_ + 1 == std::max(options_.frames - settling_frames, 1))
+    {
+        gallery_.session.look_inside();
+        gallery_.session.show_moment(static_cast<std::size_t>(options_.inside));
+    }
+    gallery_.session.advance(seconds);
+    times.step = ms * gallery_.session.step_seconds();
+
+    const SteadyClock::time_point stepped = SteadyClock::now();
+    window_.begin_frame();
+    gallery_.widgets.begin_frame();
+    lay_out();
+    const SteadyClock::time_point laid_out = SteadyClock::now();
+    draw_scene();
+    const SteadyClock::time_point drawn = SteadyClock::now();
+    panel_timer_.begin();
+    window_.end_panels();
+    panel_timer_.end();
+    const SteadyClock::time_point done = SteadyClock::now();
+
+    times.panels = ms_between(stepped, laid_out) + ms_between(drawn, done);
+    times.draw = ms_between(laid_out, drawn);
+    times.draw_gpu = draw_timer_.latest_ms().value_or(0);
+    times.panels_gpu = panel_timer_.latest_ms().value_or(0);
+    if (frame_ > 0) gallery_.frames.add(times); // the first one waits for fonts and shaders
+    if (is_last && !options_.screenshot.empty()) write_png(window_.read_back(), options_.screenshot);
+    update_window();
+    window_.present();
+    gallery_.widgets.end_frame();
+    // A screen that does not hold the frames back would have the processor draw thousands of them a second.
+    if (options_.frames == 0) std::this_thread::sleep_until(start + shortest_frame);
+}
+
+void App::handle_events()
+{
+    SDL_Event event;
+    while (SDL_PollEvent(&event))
+    {
+        window_.handle(event);
+        handle(event);
+    }
+}
+
+void App::handle(const SDL_Event& event)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    Hand& hand = gallery_.hand;
+    switch (event.type)
+    {
+    case SDL_QUIT: gallery_.wants_quit = true; break;
+    case SDL_MOUSEBUTTONDOWN:
+        if (const auto button = button_of(event.button.button); button && !io.WantCaptureMouse)
+            hand.press(*button, point_of(event.button.x, event.button.y), modifiers());
+        break;
+    case SDL_MOUSEBUTTONUP:
+        if (const auto button = button_of(event.button.button)) hand.release(*button, point_of(event.button.x, event.button.y));
+        break;
+    case SDL_MOUSEMOTION:
+        if (!io.WantCaptureMouse || hand.is_busy()) hand.move(point_of(event.motion.x, event.motion.y));
+        break;
+    case SDL_MOUSEWHEEL:
+    {
+        int x = 0;
+        int y = 0;
+        SDL_GetMouseState(&x, &y);
+        if (!io.WantCaptureMouse) hand.wheel(event.wheel.preciseY, point_of(x, y), modifiers());
+        break;
+    }
+    case SDL_KEYDOWN:
+        // While a person types into a panel, letters are the panel's.
+        if (!io.WantTextInput) press_key(gallery_, event.key.keysym.sym, (event.key.keysym.mod & KMOD_CTRL) != 0, event.key.repeat != 0);
+        break;
+    case SDL_WINDOWEVENT:
+        if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) hand.let_go();
+        break;
+    default: break;
+    }
+}
+
+void App::lay_out()
+{
+    const Rect free = draw_panels(gallery_, window_.size(), window_.ui_scale());
+    View& view = gallery_.view;
+    view.set_layout(window_.size(), free);
+    view.set_base(gallery_.session.scene().camera());
+    view.follow(gallery_.session.watched_place());
+}
+
+void App::draw_scene()
+{
+    const Renderer::View view = {gallery_.view.camera(), window_.pixels()};
+    const float height = view.camera.height;
+    scenes::DrawList& list = gallery_.session.picture(gallery_.draw, height);
+    draw_marks(list);
+    draw_timer_.begin();
+    renderer_.draw(list, view, theme_);
+    draw_timer_.end();
+    const Rect& free = gallery_.view.free();
+    paint_texts(list, view, theme_, window_.pixels_per_point(), {free.min.x, free.min.y}, {free.max.x, free.max.y});
+}
+
+void App::draw_marks(scenes::DrawList& list) const
+{
+    gallery_.hand.draw(list);
+    if (gallery_.session.is_inside()) return;
+    constexpr scenes::Color picked = scenes::rgb(1, 0.85f, 0.4f);
+    draw_outline(gallery_.session.scene().world(), gallery_.hand.selected(), picked, list);
+}
+
+void App::update_window()
+{
+    if (theme_.kind() != gallery_.theme || theme_.palette() != gallery_.palette)
+    {
+        theme_ = Theme(gallery_.theme, gallery_.palette);
+        apply_to_imgui(gallery_.theme, window_.ui_scale());
+    }
+    if (window_.is_full_screen() != gallery_.wants_full_screen) window_.set_full_screen(gallery_.wants_full_screen);
+    if (!gallery_.wants_screenshot.empty())
+    {
+        const std::string file = std::exchange(gallery_.wants_screenshot, {});
+        try
+        {
+            write_png(window_.read_back(), file);
+            gallery_.session.say("Wrote " + file);
+        }
+        catch (const Failure& failure)
+        {
+            gallery_.session.say(failure.what());
+        }
+    }
+    const Session& session = gallery_.session;
+    std::string title =
+        "Carom - " + session.scene().info().title + " - " + std::to_string(session.scene().world().body_count()) + " bodies";
+    if (session.is_inside())
+        title += " - inside step " + std::to_string(session.film().step()) + ", " + title_of(session.film().moments()[session.moment()]);
+    else if (gallery_.session.clock().is_paused())
+        title += " - paused";
+    if (title == title_) return;
+    title_ = title;
+    window_.set_title(title);
+}
+
+void App::report(std::ostream& out) const
+{
+    const FrameTimes t = gallery_.frames.mean();
+    const scenes::Scene& scene = gallery_.session.scene();
+    if (options_.is_json)
+    {
+        const nlohmann::json json = {{"scene", scene.info().name},
+                                     {"frames", frame_},
+                                     {"steps", scene.world().step_count()},
+                                     {"bodies", scene.world().body_count()},
+                                     {"instances", renderer_.last().instances},
+                                     {"draw_calls", renderer_.last().draw_calls},
+                                     {"frame_ms", json_of(t)}};
+        out << json.dump(2) << "\n";
+        return;
+    }
+    char text[320];
+    std::snprintf(text, sizeof text,
+                  "%s: %d frames, %llu steps, %d bodies, %d shapes and lines in %d draw calls\n"
+                  "mean of a frame: steps %.3f ms, drawing %.3f ms (GPU %.3f ms), panels %.3f ms (GPU %.3f ms), frame to frame %.3f ms\n",
+                  scene.info().name.c_str(), frame_, static_cast<unsigned long long>(scene.world().step_count()),
+                  scene.world().body_count(), renderer_.last().instances, renderer_.last().draw_calls, t.step, t.draw, t.draw_gpu, t.panels,
+                  t.panels_gpu, t.whole);
+    out << text;
+}
+
+int run_gallery(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
+{
+    const auto report = [&err](const std::exception& error, int status)
+    {
+        err << "carom-gallery: " << error.what() << "\n";
+        return status;
+    };
+    try
+    {
+        const std::optional<Options> options = read_options(arguments, out);
+        if (!options) return 0;
+        App app(*options);
+        app.run();
+        if (options->frames > 0) app.report(out);
+        return 0;
+    }
+    catch (const BadUsage& error)
+    {
+        return report(error, 2);
+    }
+    catch (const scenes::SceneError& error)
+    {
+        return report(error, 2);
+    }
+    catch (const std::exception& error)
+    {
+        return report(error, 1);
+    }
+}
+
+} // namespace carom::gallery

@@ -1,0 +1,52 @@
+// All that the program is about between its frames: panels read and change it.
+#pragma once
+
+#include "gallery/frame_meter.hpp"
+#include "gallery/hand.hpp"
+#include "gallery/session.hpp"
+#include "gallery/theme.hpp"
+#include "gallery/view.hpp"
+#include "gallery/widget_map.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace carom::gallery
+{
+
+struct Gallery
+{
+    Gallery(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed)
+        : session(scene, values, seed),
+          hand(session, view)
+    {
+    }
+    Gallery(const Gallery&) = delete;
+    Gallery& operator=(const Gallery&) = delete;
+
+    Session session;
+    View view;
+    Hand hand;
+    DrawOptions draw;
+    FrameMeter frames;
+    WidgetMap widgets;
+
+    ThemeKind theme = ThemeKind::Dark;
+    Palette palette = Palette::Scene;
+    bool shows_panels = true;
+    bool shows_help = false;
+    std::string wanted_tab; ///< that is to be opened; empty for none
+    std::string search;     ///< in the list of scenes
+    /// A parameter that is being edited and acts by a restart: it waits until the person lets it go.
+    std::optional<std::pair<std::string, scenes::ParameterValue>> edited;
+    bool wants_quit = false;
+    bool wants_full_screen = false;
+    std::string wants_screenshot; ///< the file to which the next frame goes; empty for none
+
+    /// The body that the inspector shows: the picked one, or else the one under the pointer.
+    BodyId inspected() const { return hand.selected() ? hand.selected() : hand.hovered(); }
+    void toggle_follow();
+};
+
+} // namespace carom::gallery

@@ -1,0 +1,49 @@
+// The way through a step, stage by stage.
+#include "gallery/panels.hpp"
+#include "gallery/widgets.hpp"
+
+#include <cstdio>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+void walk_buttons(Gallery& gallery)
+{
+    Session& session = gallery.session;
+    if (button(gallery, "< Back", "the moment before (left arrow)")) session.previous_moment();
+    ImGui::SameLine();
+    if (button(gallery, "Next >", "the next moment; after the last one, the next step (right arrow)")) session.next_moment();
+    ImGui::SameLine();
+    auto index = static_cast<int>(session.moment());
+    const int last = static_cast<int>(session.film().moments().size()) - 1;
+    ImGui::PushItemWidth(14 * ImGui::GetFontSize());
+    if (ImGui::SliderInt("##moment", &index, 0, last, "moment %d", ImGuiSliderFlags_AlwaysClamp))
+        session.show_moment(static_cast<std::size_t>(index));
+    gallery.widgets.note("moment");
+    ImGui::PopItemWidth();
+    ImGui::SameLine();
+    if (button(gallery, "Leave", "I or Esc")) session.leave_inside();
+}
+
+} // namespace
+
+void inside_panel(Gallery& gallery)
+{
+    walk_buttons(gallery);
+    if (!gallery.session.is_inside()) return; // it was left
+    const StepFilm& film = gallery.session.film();
+    const Moment& moment = film.moments()[gallery.session.moment()];
+    char step[48];
+    std::snprintf(step, sizeof step, "Step %llu: ", static_cast<unsigned long long>(film.step()));
+    ImGui::TextUnformatted((step + title_of(moment)).c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", counts_of(moment).c_str());
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(explanation_of(moment).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+} // namespace carom::gallery

@@ -1,0 +1,145 @@
+// Reads the command line.
+#include "gallery/options.hpp"
+
+#include "gallery/overlay_names.hpp"
+#include "gallery/tab_names.hpp"
+#include "scenes/registry.hpp"
+#include "scenes/text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <carom/version.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <map>
+#include <ostream>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+constexpr int largest_window = 16384; // [points]
+
+const char* const notes = R"(
+With --frames every frame is 1/60 s of the scene, however long it took, so that equal runs give equal pictures; at the end
+the program prints what the parts of a frame took. Without a display, set SDL_VIDEODRIVER=offscreen.
+
+Examples:
+  carom-gallery
+  carom-gallery --scene collisions --set circles=1000 --show contacts --show impulses
+  SDL_VIDEODRIVER=offscreen carom-gallery --scene arch --frames 240 --screenshot arch.png
+
+Exit status: 0 done, 1 failed, 2 bad usage.)";
+
+/// "1600x900"
+void read_size(const std::string& text, Options& options)
+{
+    int width = 0;
+    int height = 0;
+    char end = 0;
+    const bool is_read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end) == 2;
+    if (!is_read || width < 1 || height < 1 || width > largest_window || height > largest_window)
+        throw BadUsage("--size: \"" + text + "\" does not fit; give WIDTHxHEIGHT, each from 1 to " + std::to_string(largest_window));
+    options.width = width;
+    options.height = height;
+}
+
+/// CLI11 by itself takes -1 for the largest unsigned number.
+std::uint64_t read_seed(const std::string& text)
+{
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw BadUsage("--seed: \"" + text + "\" does not fit; give a whole number from 0 to " + std::to_string(UINT64_MAX));
+    return seed;
+}
+
+scenes::ParameterValues read_settings(const std::vector<std::string>& settings, const scenes::SceneInfo& info)
+{
+    scenes::ParameterValues values;
+    for (const std::string& setting : settings)
+    {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
+        const std::string name = setting.substr(0, equals);
+        values.emplace_back(name, scenes::parsed(scenes::find_parameter(info.parameters, name), setting.substr(equals + 1)));
+    }
+    return values;
+}
+
+} // namespace
+
+std::optional<Options> read_options(const std::vector<std::string>& arguments, std::ostream& out)
+{
+    Options options;
+    options.scene = scenes::all_scenes().front().name;
+    std::vector<std::string> settings;
+    std::string size;
+    std::string seed = "1";
+    bool hides_panels = false;
+
+    CLI::App app("Carom's gallery: scenes to play with, and a look inside the engine.", "carom-gallery");
+    app.set_version_flag("--version", std::string("carom-gallery ") + CAROM_VERSION);
+    app.footer(notes);
+    app.add_option("--scene", options.scene, "The scene to open")->type_name("NAME")->capture_default_str();
+    app.add_option("--set", settings, "Set a parameter of the scene; may be given again")
+        ->type_name("NAME=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--seed", seed, "Equal seeds give equal scenes")->type_name("S")->capture_default_str();
+    app.add_option("--size", size, "Size of the window; 1600x900 unless the screen is smaller")->type_name("WxH");
+    app.add_option("--theme", options.theme, "dark or light")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ThemeKind>{{"dark", ThemeKind::Dark}, {"light", ThemeKind::Light}}))
+        ->type_name("NAME")
+        ->option_text("NAME");
+    app.add_option("--palette", options.palette, "scene, or safe for colours that colour-blind people can tell apart")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Palette>{{"scene", Palette::Scene}, {"safe", Palette::ColorBlindSafe}}))
+        ->type_name("NAME")
+        ->option_text("NAME");
+    app.add_option("--show", options.shown, "Draw more: " + overlay_names() + "; may be given again")
+        ->type_name("NAME")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_flag("--no-panels", hides_panels, "Begin with the scene alone; Tab brings the panels");
+    app.add_option("--tab", options.tab, "Begin with this tab of the panel on the right")
+        ->type_name("NAME")
+        ->check(CLI::IsMember(std::vector<std::string>(tab_names.begin(), tab_names.end())));
+    app.add_option("--frames", options.frames, "End after so many frames")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000'000))
+        ->option_text("N");
+    app.add_option("--screenshot", options.screenshot, "Write the last frame; after 120 frames unless --frames is given")
+        ->type_name("FILE.png");
+    app.add_option("--inside", options.inside, "Look inside a step when the other frames have run, at its moment N from 0; needs --frames")
+        ->type_name("N")
+        ->check(CLI::Range(0, 10'000))
+        ->option_text("N");
+    app.add_flag("--json", options.is_json, "Print the times as one JSON object");
+    app.add_option("--widgets", options.widgets, "Keep a map of where each widget lies, for programs that drive this one")
+        ->type_name("FILE.json");
+    try
+    {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse
+    }
+    catch (const CLI::Success& help_or_version)
+    {
+        app.exit(help_or_version, out, out);
+        return std::nullopt;
+    }
+    catch (const CLI::ParseError& error)
+    {
+        throw BadUsage(std::string(error.what()) + "; --help tells more");
+    }
+    options.seed = read_seed(seed);
+    if (!size.empty()) read_size(size, options);
+    options.values = read_settings(settings, scenes::find_scene(options.scene));
+    options.has_panels = !hides_panels;
+    for (const std::string& name : options.shown) find_overlay(name); // refuses unknown ones before a window opens
+    if (!options.screenshot.empty() && options.frames == 0) options.frames = 120;
+    if (options.inside >= 0 && options.frames == 0) throw BadUsage("--inside needs --frames");
+    return options;
+}
+
+} // namespace carom::gallery

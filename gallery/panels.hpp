@@ -1,0 +1,28 @@
+// The panels around the scene, and the windows over it.
+#pragma once
+
+#include "gallery/gallery.hpp"
+
+namespace carom::gallery
+{
+
+/// Lays out everything that is not the scene, and does what the person does to it.
+/// @param window  of the program [points]
+/// @param scale   how large letters are, 1 on a common screen
+/// @return the part of the window that no panel covers
+Rect draw_panels(Gallery& gallery, scenes::Viewport window, float scale);
+
+// The parts, each within a panel.
+void scene_list(Gallery& gallery, float height);
+void scene_story(const Gallery& gallery);
+void parameter_list(Gallery& gallery);
+void time_bar(Gallery& gallery);
+void look_tab(Gallery& gallery);
+void measure_tab(Gallery& gallery);
+void broad_phase_tab(Gallery& gallery);
+void memory_tab(Gallery& gallery);
+void body_tab(Gallery& gallery);
+void inside_panel(Gallery& gallery);
+void help_text(const Gallery& gallery);
+
+} // namespace carom::gallery

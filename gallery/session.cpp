@@ -1,0 +1,225 @@
+// Makes scenes, steps them, and keeps what is needed to show them.
+#include "gallery/session.hpp"
+
+#include "gallery/blend.hpp"
+#include "scenes/registry.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+using SteadyClock = std::chrono::steady_clock;
+
+double seconds_since(SteadyClock::time_point start) { return std::chrono::duration<double>(SteadyClock::now() - start).count(); }
+
+/// Looking back is worth a few steps; a film of a large world takes tens of megabytes.
+constexpr std::size_t most_films = 4;
+
+/// Starts a film of the world as it is when its own step begins, after the scene's code has run.
+class FilmStarter : public scenes::StepObserver
+{
+public:
+    FilmStarter(const World& world, StepFilm& film) : world_(world), film_(film) {}
+    void world_step_begins() override { film_ = StepFilm(world_); }
+
+private:
+    const World& world_;
+    StepFilm& film_;
+};
+
+} // namespace
+
+Session::Session(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed)
+{
+    take(scenes::make_scene(scene, values, seed));
+}
+
+void Session::take(std::unique_ptr<scenes::Scene> scene)
+{
+    scene_ = std::move(scene);
+    ++generation_;
+    meter_.clear();
+    films_.clear();
+    has_before_ = false;
+    watched_ = {};
+    message_.clear();
+}
+
+void Session::make(const std::string& name, const scenes::ParameterValues& values, std::uint64_t seed)
+{
+    try
+    {
+        take(scenes::make_scene(name, values, seed));
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+    }
+}
+
+void Session::open(const std::string& name) { make(name, {}, 1); }
+
+void Session::open_neighbor(int steps)
+{
+    const auto& all = scenes::all_scenes();
+    const auto is_this = [this](const scenes::SceneInfo& info) { return info.name == scene_->info().name; };
+    const auto place = std::find_if(all.begin(), all.end(), is_this) - all.begin();
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    open(all[static_cast<std::size_t>(((place + steps) % count + count) % count)].name);
+}
+
+void Session::restart() { restart_with(seed()); }
+
+void Session::restart_with(std::uint64_t seed) { make(scene_->info().name, scene_->parameters().values(), seed); }
+
+void Session::set_parameter(const std::string& name, const scenes::ParameterValue& value)
+{
+    const scenes::ParameterValue old = scene_->parameters().value(name);
+    try
+    {
+        scene_->set_parameter(name, value);
+        if (scenes::find_parameter(scene_->parameters().infos(), name).applies == scenes::Applies::Live) return;
+        take(scenes::restarted(*scene_));
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+        if (scene_->parameters().value(name) != old) scene_->set_parameter(name, old);
+    }
+}
+
+bool Session::step(StepFilm* film)
+{
+    const BroadPhaseType broad_phase = scene_->world().broad_phase();
+    try
+    {
+        if (film)
+        {
+            FilmStarter starter(scene_->world(), *film);
+            meter_.add(scene_->step(&starter, film), broad_phase);
+        }
+        else
+            meter_.add(scene_->step(), broad_phase);
+        return true;
+    }
+    catch (const std::exception& error)
+    {
+        clock_.set_paused(true);
+        say(std::string("The scene stopped: ") + error.what() + ". Press R to restart it.");
+        return false;
+    }
+}
+
+/// The picture moves from here to where the next step ends.
+void Session::keep_before()
+{
+    before_.clear();
+    scene_->draw(before_);
+    has_before_ = true;
+    const std::optional<BodyView> body = std::as_const(*scene_).world().find_body(watched_);
+    watched_before_ = body ? std::optional(body->position()) : std::nullopt;
+}
+
+void Session::advance(double elapsed)
+{
+    constexpr double longest = 0.05; // what a frame may spend on steps [s]: the window must stay usable
+    const SteadyClock::time_point start = SteadyClock::now();
+    const double time_before = scene_->time();
+    const int due = is_inside() ? 0 : clock_.advance(elapsed, static_cast<double>(scene_->time_step()));
+    for (int i = 0; i < due; ++i)
+    {
+        if (i > 0 && seconds_since(start) > longest)
+        {
+            clock_.drop();
+            has_before_ = false;
+            break;
+        }
+        if (i + 1 == due) keep_before();
+        if (!step(nullptr)) break;
+    }
+    step_seconds_ = seconds_since(start);
+    measure(elapsed, scene_->time() - time_before);
+}
+
+void Session::measure(double elapsed, double simulated)
+{
+    constexpr double share = 0.05; // of the latest frame in the mean
+    if (elapsed > 0) factor_ += share * (simulated / elapsed - factor_);
+}
+
+scenes::DrawList& Session::picture(const DrawOptions& options, float height)
+{
+    now_.clear();
+    if (is_inside())
+    {
+        draw_moment(film(), moment_, height, now_);
+        return now_;
+    }
+    scene_->draw(now_);
+    if (!options.shapes) now_.layer(scenes::Layer::Bodies).shapes.clear();
+    const bool is_between = has_before_ && options.is_blended && clock_.blend() < 1;
+    if (is_between)
+    {
+        constexpr float jump = 0.2f; // of the picture's height: whatever goes so far in a step is not seen as moving
+        if (!options.shapes) before_.layer(scenes::Layer::Bodies).shapes.clear();
+        blend(before_, now_, clock_.blend(), jump * height, picture_);
+    }
+    else
+        std::swap(now_, picture_);
+    draw_overlay(scene_->world(), options, height, picture_);
+    return picture_;
+}
+
+std::optional<Vec2> Session::watched_place() const
+{
+    const std::optional<BodyView> body = std::as_const(*scene_).world().find_body(watched_);
+    if (!body) return std::nullopt;
+    if (!has_before_ || !watched_before_ || clock_.blend() >= 1) return body->position();
+    return lerp(*watched_before_, body->position(), clock_.blend());
+}
+
+void Session::look_inside()
+{
+    clock_.set_paused(true);
+    StepFilm film(scene_->world());
+    if (!step(&film)) return;
+    films_.push_back(std::move(film));
+    if (films_.size() > most_films) films_.pop_front();
+    film_ = films_.size() - 1;
+    moment_ = 0;
+}
+
+void Session::next_moment()
+{
+    if (moment_ + 1 < film().moments().size())
+        ++moment_;
+    else if (film_ + 1 < films_.size())
+    {
+        ++film_;
+        moment_ = 0;
+    }
+    else
+        look_inside();
+}
+
+void Session::previous_moment()
+{
+    if (moment_ > 0)
+        --moment_;
+    else if (film_ > 0)
+    {
+        --film_;
+        moment_ = film().moments().size() - 1;
+    }
+}
+
+void Session::show_moment(std::size_t index) { moment_ = std::min(index, film().moments().size() - 1); }
+
+} // namespace carom::gallery

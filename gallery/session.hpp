@@ -1,0 +1,96 @@
+// The scene that is being played: its time, what it looks like now, what its steps cost, and a look inside of one.
+#pragma once
+
+#include "gallery/clock.hpp"
+#include "gallery/overlay.hpp"
+#include "gallery/stage_meter.hpp"
+#include "gallery/step_film.hpp"
+#include "scenes/scene.hpp"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace carom::gallery
+{
+
+class Session
+{
+public:
+    /// @throws SceneError
+    Session(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed);
+
+    scenes::Scene& scene() { return *scene_; }
+    const scenes::Scene& scene() const { return *scene_; }
+    Clock& clock() { return clock_; }
+    const Clock& clock() const { return clock_; }
+    const StageMeter& meter() const { return meter_; }
+    std::uint64_t seed() const { return scene_->seed(); }
+    /// Counts the scenes that were made: whoever keeps ids of one world sees that they are stale.
+    int generation() const { return generation_; }
+
+    // Each makes a new scene; when that can't be, it says why and the old one goes on.
+    void open(const std::string& name);
+    void open_neighbor(int steps); ///< the next scene of the list, or the one before
+    void restart();                ///< with the parameters as they are now
+    void restart_with(std::uint64_t seed);
+    /// Acts at once, or by a restart when the parameter needs one. Says why when the value can't be had.
+    void set_parameter(const std::string& name, const scenes::ParameterValue& value);
+
+    /// Steps as much as the clock says. An error of a step pauses the scene and is said.
+    /// @param elapsed since the frame before [s]
+    void advance(double elapsed);
+    /// What is to be seen now; the caller may add to it. Valid until the next call.
+    /// @param height of the part of the world that is seen [m]; marks are drawn in proportion
+    scenes::DrawList& picture(const DrawOptions& options, float height);
+    /// A body whose place in the picture someone wants to know; null for none.
+    void watch(BodyId body) { watched_ = body; }
+    BodyId watched() const { return watched_; }
+    /// Between two steps, as the picture is; none when the body is gone.
+    std::optional<Vec2> watched_place() const;
+    double step_seconds() const { return step_seconds_; } ///< of the last advance()
+    double real_time_factor() const { return factor_; }   ///< simulated seconds in a second
+
+    // A look inside of a step, moment by moment.
+    bool is_inside() const { return !films_.empty(); }
+    void look_inside(); ///< of the next step; the scene stands still
+    void leave_inside() { films_.clear(); }
+    void next_moment(); ///< at the end of a step comes the next one
+    void previous_moment();
+    void show_moment(std::size_t index);
+    const StepFilm& film() const { return films_[film_]; }
+    std::size_t moment() const { return moment_; }
+
+    const std::string& message() const { return message_; }
+    void say(std::string message) { message_ = std::move(message); }
+
+private:
+    void take(std::unique_ptr<scenes::Scene> scene);
+    void make(const std::string& name, const scenes::ParameterValues& values, std::uint64_t seed);
+    bool step(StepFilm* film);
+    void keep_before();
+    void measure(double elapsed, double simulated);
+
+    std::unique_ptr<scenes::Scene> scene_;
+    int generation_ = 0;
+    Clock clock_;
+    StageMeter meter_;
+    double step_seconds_ = 0;
+    double factor_ = 1;
+
+    scenes::DrawList before_; ///< as it was before the last step
+    scenes::DrawList now_;
+    scenes::DrawList picture_;
+    bool has_before_ = false;
+    BodyId watched_;
+    std::optional<Vec2> watched_before_;
+
+    std::deque<StepFilm> films_; ///< of the last steps that were looked into
+    std::size_t film_ = 0;
+    std::size_t moment_ = 0;
+    std::string message_;
+};
+
+} // namespace carom::gallery

@@ -1,0 +1,86 @@
+// The bar below the scene: pause, step, speed, rates, restart, and the way into a step.
+#include "gallery/keys.hpp"
+#include "gallery/panels.hpp"
+#include "gallery/widgets.hpp"
+
+#include <cstdio>
+
+namespace carom::gallery
+{
+
+namespace
+{
+
+void run_buttons(Gallery& gallery)
+{
+    const bool is_paused = gallery.session.clock().is_paused();
+    if (button(gallery, is_paused ? "Go on##pause" : "Pause##pause", "P")) press_key(gallery, SDLK_p, false, false);
+    ImGui::SameLine();
+    if (button(gallery, "Step", "a single step (O)")) press_key(gallery, SDLK_o, false, false);
+    ImGui::SameLine();
+    if (button(gallery, "Look inside", "walk through the stages of the next step (I)")) press_key(gallery, SDLK_i, false, false);
+    ImGui::SameLine();
+    if (button(gallery, "Restart", "with the same seed (R)")) gallery.session.restart();
+    ImGui::SameLine();
+    if (button(gallery, "New seed", "restart with other random numbers")) gallery.session.restart_with(gallery.session.seed() + 1);
+    ImGui::SameLine();
+    char seed[32];
+    std::snprintf(seed, sizeof seed, "seed %llu", static_cast<unsigned long long>(gallery.session.seed()));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", seed);
+}
+
+void speed_slider(Gallery& gallery)
+{
+    Clock& clock = gallery.session.clock();
+    auto speed = static_cast<float>(clock.speed());
+    ImGui::PushItemWidth(8 * ImGui::GetFontSize());
+    const bool is_changed = ImGui::SliderFloat("speed", &speed, static_cast<float>(Clock::slowest), static_cast<float>(Clock::fastest),
+                                               "%.2f x", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (is_changed) clock.set_speed(static_cast<double>(speed));
+    gallery.widgets.note("speed");
+    tip_of_last("simulated seconds in a second: slow motion below 1 (, and .)");
+    ImGui::PopItemWidth();
+}
+
+void rates(Gallery& gallery)
+{
+    const scenes::Scene& scene = gallery.session.scene();
+    float hertz = scene.parameters().real("step_rate");
+    int substeps = scene.parameters().integer("substeps");
+    ImGui::PushItemWidth(7 * ImGui::GetFontSize());
+    if (ImGui::SliderFloat("hertz", &hertz, 10, 1000, "%.0f /s", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        gallery.session.set_parameter("step_rate", static_cast<double>(hertz));
+    gallery.widgets.note("hertz");
+    tip_of_last("steps in a second of simulated time");
+    ImGui::SameLine();
+    ImGui::PushItemWidth(5 * ImGui::GetFontSize());
+    if (ImGui::SliderInt("substeps", &substeps, 1, 64, "%d", ImGuiSliderFlags_AlwaysClamp))
+        gallery.session.set_parameter("substeps", static_cast<std::int64_t>(substeps));
+    gallery.widgets.note("substeps");
+    tip_of_last("parts into which the solver divides a step: more make piles stiffer");
+    ImGui::PopItemWidth();
+    ImGui::PopItemWidth();
+}
+
+} // namespace
+
+void time_bar(Gallery& gallery)
+{
+    run_buttons(gallery);
+    speed_slider(gallery);
+    ImGui::SameLine();
+    rates(gallery);
+    ImGui::SameLine();
+    checkbox(gallery, "smooth", gallery.draw.is_blended,
+             "show motion between steps, so that it does not depend on the rates of steps and frames");
+    ImGui::SameLine();
+    char words[64];
+    if (gallery.session.clock().is_paused())
+        std::snprintf(words, sizeof words, "paused at %.2f s", gallery.session.scene().time());
+    else
+        std::snprintf(words, sizeof words, "%.1f s, %.2f x real time", gallery.session.scene().time(), gallery.session.real_time_factor());
+    ImGui::TextDisabled("%s", words);
+}
+
+} // namespace carom::gallery

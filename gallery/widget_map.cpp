@@ -1,0 +1,41 @@
+// Notes and writes down where widgets lie.
+#include "gallery/widget_map.hpp"
+
+#include "gallery/failure.hpp"
+
+#include <fstream>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+
+namespace carom::gallery
+{
+
+void WidgetMap::note(const std::string& name)
+{
+    if (!is_wanted() || !ImGui::IsItemVisible()) return;
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    note(name, {{min.x, min.y}, {max.x, max.y}});
+}
+
+void WidgetMap::note(const std::string& name, const Rect& place)
+{
+    if (is_wanted()) places_[name] = place;
+}
+
+void WidgetMap::end_frame()
+{
+    if (!is_wanted()) return;
+    nlohmann::json json = nlohmann::json::object();
+    for (const auto& [name, place] : places_) json[name] = {place.min.x, place.min.y, place.max.x, place.max.y};
+    std::string text = json.dump();
+    if (text == written_) return;
+    const std::filesystem::path part = file_.string() + ".part";
+    std::ofstream(part) << text;
+    std::error_code error;
+    std::filesystem::rename(part, file_, error);
+    if (error) throw Failure("can't write " + file_.string() + ": " + error.message());
+    written_ = std::move(text);
+}
+
+} // namespace carom::gallery

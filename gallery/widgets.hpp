@@ -1,0 +1,43 @@
+// Small widgets that several panels share.
+#pragma once
+
+#include "gallery/gallery.hpp"
+#include "gallery/history.hpp"
+
+#include <exception>
+#include <imgui.h>
+#include <string>
+
+namespace carom::gallery
+{
+
+/// A checkbox that is noted in the map of widgets.
+bool checkbox(Gallery& gallery, const char* label, bool& value, const char* tip = nullptr);
+bool button(Gallery& gallery, const char* label, const char* tip = nullptr);
+/// Words that appear while the pointer rests on the widget before.
+void tip_of_last(const std::string& words);
+/// A line of a history.
+void plot(const char* id, const History& history, float height);
+/// A cell of a table: to the left, to the right, a number to the right.
+void cell(const std::string& text);
+void right_cell(const std::string& text);
+void number_cell(const char* format, double value);
+/// "1.86 MB".
+std::string bytes_text(double bytes);
+void heading(const char* text);
+void muted(const std::string& text);
+/// Calls an edit of the world; what it refuses is said.
+template <class Edit>
+void try_edit(Gallery& gallery, const Edit& edit)
+{
+    try
+    {
+        edit();
+    }
+    catch (const std::exception& error)
+    {
+        gallery.session.say(error.what());
+    }
+}
+
+} // namespace carom::gallery
