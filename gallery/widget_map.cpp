@@ -3,6 +3,7 @@
 
 #include "gallery/failure.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,9 @@ void WidgetMap::note(const std::string& name)
     if (!is_wanted() || !ImGui::IsItemVisible()) return;
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
-    note(name, {{min.x, min.y}, {max.x, max.y}});
+    const ImVec2 clip_min = ImGui::GetWindowDrawList()->GetClipRectMin();
+    const ImVec2 clip_max = ImGui::GetWindowDrawList()->GetClipRectMax();
+    note(name, {{std::max(min.x, clip_min.x), std::max(min.y, clip_min.y)}, {std::min(max.x, clip_max.x), std::min(max.y, clip_max.y)}});
 }
 
 void WidgetMap::note(const std::string& name, const Rect& place)

@@ -18,7 +18,7 @@ public:
     bool is_wanted() const { return !file_.empty(); }
 
     void begin_frame() { places_.clear(); }
-    /// The widget that Dear ImGui laid out last.
+    /// The widget that Dear ImGui laid out last, or as much of it as is in sight; one that is scrolled away is not noted.
     void note(const std::string& name);
     void note(const std::string& name, const Rect& place);
     /// Writes a JSON object of names to [left, top, right, bottom] in points, when anything has moved, by replacing the file as a whole.
