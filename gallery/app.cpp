@@ -66,7 +66,8 @@ Vec2 point_of(int x, int y) { return {static_cast<float>(x), static_cast<float>(
 
 nlohmann::json json_of(const FrameTimes& t)
 {
-    return {{"step", t.step},  {"draw", t.draw}, {"panels", t.panels}, {"draw_gpu", t.draw_gpu}, {"panels_gpu", t.panels_gpu},
+    return {{"step", t.step},       {"draw", t.draw},         {"panels", t.panels},
+            {"present", t.present}, {"draw_gpu", t.draw_gpu}, {"panels_gpu", t.panels_gpu},
             {"whole", t.whole}};
 }
 
@@ -136,10 +137,12 @@ void App::frame()
     times.draw = ms_between(laid_out, drawn);
     times.draw_gpu = draw_timer_.latest_ms().value_or(0);
     times.panels_gpu = panel_timer_.latest_ms().value_or(0);
-    if (frame_ > 0) gallery_.frames.add(times); // the first one waits for fonts and shaders
     if (is_last && !options_.screenshot.empty()) write_png(window_.read_back(), options_.screenshot);
     update_window();
+    const SteadyClock::time_point complete = SteadyClock::now();
     window_.present();
+    times.present = ms_between(complete, SteadyClock::now());
+    if (frame_ > 0) gallery_.frames.add(times); // the first one waits for fonts and shaders
     gallery_.widgets.end_frame();
     // A screen that does not hold the frames back would have the processor draw thousands of them a second.
     if (options_.frames == 0) std::this_thread::sleep_until(start + shortest_frame);
@@ -157,32 +160,33 @@ void App::handle_events()
 
 void App::handle(const SDL_Event& event)
 {
-    const ImGuiIO& io = ImGui::GetIO();
     Hand& hand = gallery_.hand;
     switch (event.type)
     {
     case SDL_QUIT: gallery_.wants_quit = true; break;
     case SDL_MOUSEBUTTONDOWN:
-        if (const auto button = button_of(event.button.button); button && !io.WantCaptureMouse)
+        if (const auto button = button_of(event.button.button); button && !is_over_panel(point_of(event.button.x, event.button.y)))
             hand.press(*button, point_of(event.button.x, event.button.y), modifiers());
         break;
     case SDL_MOUSEBUTTONUP:
         if (const auto button = button_of(event.button.button)) hand.release(*button, point_of(event.button.x, event.button.y));
         break;
     case SDL_MOUSEMOTION:
-        if (!io.WantCaptureMouse || hand.is_busy()) hand.move(point_of(event.motion.x, event.motion.y));
+        pointer_ = point_of(event.motion.x, event.motion.y);
+        if (hand.is_busy() || !is_over_panel(pointer_)) hand.move(pointer_);
         break;
     case SDL_MOUSEWHEEL:
     {
         int x = 0;
         int y = 0;
         SDL_GetMouseState(&x, &y);
-        if (!io.WantCaptureMouse) hand.wheel(event.wheel.preciseY, point_of(x, y), modifiers());
+        if (!is_over_panel(point_of(x, y))) hand.wheel(event.wheel.preciseY, point_of(x, y), modifiers());
         break;
     }
     case SDL_KEYDOWN:
         // While a person types into a panel, letters are the panel's.
-        if (!io.WantTextInput) press_key(gallery_, event.key.keysym.sym, (event.key.keysym.mod & KMOD_CTRL) != 0, event.key.repeat != 0);
+        if (!ImGui::GetIO().WantTextInput)
+            press_key(gallery_, event.key.keysym.sym, (event.key.keysym.mod & KMOD_CTRL) != 0, event.key.repeat != 0);
         break;
     case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) hand.let_go();
@@ -191,8 +195,18 @@ void App::handle(const SDL_Event& event)
     }
 }
 
+/// By places, not by what Dear ImGui found in the frame before: a click that follows a quick motion must not fall through a panel.
+bool App::is_over_panel(Vec2 point) const
+{
+    if (!gallery_.view.free().contains(point)) return true;
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return true;
+    const auto holds = [point](const Rect& place) { return place.contains(point); };
+    return std::any_of(gallery_.floating.begin(), gallery_.floating.end(), holds);
+}
+
 void App::lay_out()
 {
+    if (!is_over_panel(pointer_)) gallery_.hand.look();
     const Rect free = draw_panels(gallery_, window_.size(), window_.ui_scale());
     View& view = gallery_.view;
     view.set_layout(window_.size(), free);
@@ -235,7 +249,7 @@ void App::update_window()
         try
         {
             write_png(window_.read_back(), file);
-            gallery_.session.say("Wrote " + file);
+            gallery_.session.mention("Wrote " + file);
         }
         catch (const Failure& failure)
         {
@@ -273,10 +287,11 @@ void App::report(std::ostream& out) const
     char text[320];
     std::snprintf(text, sizeof text,
                   "%s: %d frames, %llu steps, %d bodies, %d shapes and lines in %d draw calls\n"
-                  "mean of a frame: steps %.3f ms, drawing %.3f ms (GPU %.3f ms), panels %.3f ms (GPU %.3f ms), frame to frame %.3f ms\n",
+                  "mean of a frame: steps %.3f ms, drawing %.3f ms (GPU %.3f ms), panels %.3f ms (GPU %.3f ms), present %.3f ms, frame to "
+                  "frame %.3f ms\n",
                   scene.info().name.c_str(), frame_, static_cast<unsigned long long>(scene.world().step_count()),
                   scene.world().body_count(), renderer_.last().instances, renderer_.last().draw_calls, t.step, t.draw, t.draw_gpu, t.panels,
-                  t.panels_gpu, t.whole);
+                  t.panels_gpu, t.present, t.whole);
     out << text;
 }
 

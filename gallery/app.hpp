@@ -33,6 +33,7 @@ private:
     void frame();
     void handle_events();
     void handle(const SDL_Event& event);
+    bool is_over_panel(Vec2 point) const;
     void lay_out();
     void draw_scene();
     void draw_marks(scenes::DrawList& list) const;
@@ -47,7 +48,8 @@ private:
     Gallery gallery_;
     Theme theme_;
     SteadyClock::time_point last_frame_;
-    int frame_ = 0; ///< counted from 0
+    int frame_ = 0;           ///< counted from 0
+    Vec2 pointer_ = {-1, -1}; ///< [points]
     std::string title_;
 };
 

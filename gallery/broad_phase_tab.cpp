@@ -38,8 +38,8 @@ void choose(Gallery& gallery)
     muted(story_of(now));
 }
 
-/// A row whose two values stand side by side, with the ratio of the new to the old.
-void row(const char* name, const char* format, double now, const StepMeans* before, double old)
+/// A row whose two values stand side by side, with the ratio of the new to the old where that says something about the broad phase.
+void row(const char* name, const char* format, double now, const StepMeans* before, double old, bool has_ratio = true)
 {
     ImGui::TableNextRow();
     cell(name);
@@ -48,7 +48,7 @@ void row(const char* name, const char* format, double now, const StepMeans* befo
     else
         cell("");
     number_cell(format, now);
-    if (before && old > 0)
+    if (has_ratio && before && old > 0)
         number_cell("%.2f", now / old);
     else
         cell("");
@@ -73,7 +73,7 @@ void comparison(const StageMeter& meter)
     if (begin_comparison("counts of a step", now, before))
     {
         row("pairs tested", "%.0f", now.pairs_tested, before, before ? before->pairs_tested : 0);
-        row("pairs found", "%.1f", now.pairs_found, before, before ? before->pairs_found : 0);
+        row("pairs found", "%.1f", now.pairs_found, before, before ? before->pairs_found : 0, false);
         row("nodes", "%.0f", now.nodes, before, before ? before->nodes : 0);
         ImGui::EndTable();
     }
@@ -92,10 +92,12 @@ void broad_phase_tab(Gallery& gallery)
     choose(gallery);
     heading("Before and after the switch");
     comparison(gallery.session.meter());
-    char words[128];
-    std::snprintf(words, sizeof words,
-                  "Means of the last %d steps. All broad phases find the same pairs: the scene goes on to the same bits.",
-                  gallery.session.meter().now().steps);
+    char words[224];
+    std::snprintf(
+        words, sizeof words,
+        "Means over up to %d steps before the switch and %d after it; the scene has moved on in between. All broad phases find the same "
+        "pairs: it goes on to the same bits.",
+        StageMeter::window, gallery.session.meter().now().steps);
     muted(words);
 }
 

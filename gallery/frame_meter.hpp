@@ -14,6 +14,7 @@ struct FrameTimes
     double step = 0;       ///< all steps of the frame
     double draw = 0;       ///< gathering the picture and handing it to OpenGL
     double panels = 0;     ///< laying out the panels and handing them to OpenGL
+    double present = 0;    ///< handing the frame to the screen, and waiting for it; a software renderer draws here
     double draw_gpu = 0;   ///< the picture
     double panels_gpu = 0; ///< the panels
     double whole = 0;      ///< from frame to frame, waiting for the screen included
@@ -30,12 +31,14 @@ public:
         blend(recent_.step, frame.step);
         blend(recent_.draw, frame.draw);
         blend(recent_.panels, frame.panels);
+        blend(recent_.present, frame.present);
         blend(recent_.draw_gpu, frame.draw_gpu);
         blend(recent_.panels_gpu, frame.panels_gpu);
         blend(recent_.whole, frame.whole);
         sum_.step += frame.step;
         sum_.draw += frame.draw;
         sum_.panels += frame.panels;
+        sum_.present += frame.present;
         sum_.draw_gpu += frame.draw_gpu;
         sum_.panels_gpu += frame.panels_gpu;
         sum_.whole += frame.whole;
@@ -46,7 +49,7 @@ public:
     FrameTimes mean() const                              ///< over all frames
     {
         const double n = frames_ > 0 ? static_cast<double>(frames_) : 1;
-        return {sum_.step / n, sum_.draw / n, sum_.panels / n, sum_.draw_gpu / n, sum_.panels_gpu / n, sum_.whole / n};
+        return {sum_.step / n, sum_.draw / n, sum_.panels / n, sum_.present / n, sum_.draw_gpu / n, sum_.panels_gpu / n, sum_.whole / n};
     }
     std::uint64_t frames() const { return frames_; }
     const History& whole() const { return whole_; }

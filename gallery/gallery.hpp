@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace carom::gallery
 {
@@ -36,8 +37,10 @@ struct Gallery
     Palette palette = Palette::Scene;
     bool shows_panels = true;
     bool shows_help = false;
-    std::string wanted_tab; ///< that is to be opened; empty for none
-    std::string search;     ///< in the list of scenes
+    std::vector<Rect> floating; ///< places of the windows over the scene, as they were laid out last
+    float bar_height = 0;       ///< that the bar of time needs at the window's width; 0 before it was laid out [points]
+    std::string wanted_tab;     ///< that is to be opened; empty for none
+    std::string search;         ///< in the list of scenes
     /// A parameter that is being edited and acts by a restart: it waits until the person lets it go.
     std::optional<std::pair<std::string, scenes::ParameterValue>> edited;
     bool wants_quit = false;

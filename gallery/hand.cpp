@@ -139,9 +139,16 @@ void Hand::move(Vec2 to)
     if (doing_ == Doing::Nothing || doing_ == Doing::Scene)
     {
         if (!session_.is_inside()) to_scene(PointerEvent::Action::Move, PointerEvent::Button::None, to);
-        if (const auto body = body_at(to, false)) hovered_ = *body;
     }
     last_ = to;
+    look();
+}
+
+void Hand::look()
+{
+    notice_new_scene();
+    if (doing_ != Doing::Nothing && doing_ != Doing::Scene) return;
+    if (const auto body = body_at(last_, false)) hovered_ = *body;
 }
 
 void Hand::release(Button button, Vec2 at)

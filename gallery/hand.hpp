@@ -53,6 +53,8 @@ public:
     void release(Button button, Vec2 at);
     /// @param notches positive away from the person
     void wheel(float notches, Vec2 at, Modifiers modifiers);
+    /// Bodies move under a pointer that rests: sees which one is there now. Once a frame, while the pointer is over the scene.
+    void look();
     /// The pointer has left, or what it held is gone.
     void let_go();
 

@@ -78,10 +78,14 @@ constexpr std::array actions = {
 };
 
 constexpr std::array pointer_actions = {
-    PointerHelp{"left, on a body", "drag it; a click is the scene's"}, PointerHelp{"left, elsewhere", "the scene's"},
-    PointerHelp{"Shift left", "a new body; pull back to throw it"},    PointerHelp{"Ctrl left", "look at this body in the inspector"},
-    PointerHelp{"right or middle, dragged", "move the picture"},       PointerHelp{"right, clicked", "the scene's"},
-    PointerHelp{"wheel", "nearer or farther, at the pointer"},         PointerHelp{"Shift wheel", "the scene's"},
+    PointerHelp{"left, on a body", "drag it; a click does what the scene says below"},
+    PointerHelp{"left, elsewhere", "what the scene says below: mostly a new body"},
+    PointerHelp{"Shift left", "a new body; pull back to throw it"},
+    PointerHelp{"Ctrl left", "look at this body in the inspector"},
+    PointerHelp{"right or middle, dragged", "move the picture"},
+    PointerHelp{"right, clicked", "what the scene says below"},
+    PointerHelp{"wheel", "nearer or farther, at the pointer"},
+    PointerHelp{"Shift wheel", "what the scene says below: mostly a size"},
 };
 
 /// While a step is looked into, arrows walk through it.

@@ -89,6 +89,8 @@ void frame_table(const FrameMeter& frames)
     row("steps", t.step, -1);
     row("draw", t.draw, t.draw_gpu);
     row("panels", t.panels, t.panels_gpu);
+    row("present", t.present, -1);
+    tip_of_last("handing the frame to the screen and waiting for it; a renderer without a graphics card draws here");
     row("frame to frame", t.whole, -1);
     ImGui::EndTable();
 }

@@ -11,7 +11,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <map>
 #include <ostream>
 
 namespace carom::gallery
@@ -56,6 +55,13 @@ std::uint64_t read_seed(const std::string& text)
     return seed;
 }
 
+/// @return whether the word is the second of two
+bool is_second(const std::string& option, const std::string& word, const std::string& first, const std::string& second)
+{
+    if (word != first && word != second) throw BadUsage(option + ": \"" + word + "\" does not fit; give " + first + " or " + second);
+    return word == second;
+}
+
 scenes::ParameterValues read_settings(const std::vector<std::string>& settings, const scenes::SceneInfo& info)
 {
     scenes::ParameterValues values;
@@ -78,6 +84,8 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
     std::vector<std::string> settings;
     std::string size;
     std::string seed = "1";
+    std::string theme = "dark";
+    std::string palette = "scene";
     bool hides_panels = false;
 
     CLI::App app("Carom's gallery: scenes to play with, and a look inside the engine.", "carom-gallery");
@@ -90,14 +98,10 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
         ->allow_extra_args(false);
     app.add_option("--seed", seed, "Equal seeds give equal scenes")->type_name("S")->capture_default_str();
     app.add_option("--size", size, "Size of the window; 1600x900 unless the screen is smaller")->type_name("WxH");
-    app.add_option("--theme", options.theme, "dark or light")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ThemeKind>{{"dark", ThemeKind::Dark}, {"light", ThemeKind::Light}}))
+    app.add_option("--theme", theme, "dark or light")->type_name("NAME")->capture_default_str();
+    app.add_option("--palette", palette, "scene, or safe for colours that colour-blind people can tell apart")
         ->type_name("NAME")
-        ->option_text("NAME");
-    app.add_option("--palette", options.palette, "scene, or safe for colours that colour-blind people can tell apart")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Palette>{{"scene", Palette::Scene}, {"safe", Palette::ColorBlindSafe}}))
-        ->type_name("NAME")
-        ->option_text("NAME");
+        ->capture_default_str();
     app.add_option("--show", options.shown, "Draw more: " + overlay_names() + "; may be given again")
         ->type_name("NAME")
         ->take_all()
@@ -133,6 +137,8 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
         throw BadUsage(std::string(error.what()) + "; --help tells more");
     }
     options.seed = read_seed(seed);
+    options.theme = is_second("--theme", theme, "dark", "light") ? ThemeKind::Light : ThemeKind::Dark;
+    options.palette = is_second("--palette", palette, "scene", "safe") ? Palette::ColorBlindSafe : Palette::Scene;
     if (!size.empty()) read_size(size, options);
     options.values = read_settings(settings, scenes::find_scene(options.scene));
     options.has_panels = !hides_panels;

@@ -65,7 +65,7 @@ TEST(Options, say_what_does_not_fit_and_what_would)
     EXPECT_NE(refusal_of({"--size", "10x10x"}).find("WIDTHxHEIGHT"), std::string::npos);
     EXPECT_NE(refusal_of({"--show", "nothing"}).find("contacts"), std::string::npos);
     EXPECT_NE(refusal_of({"--frames", "0"}).find("--help"), std::string::npos);
-    EXPECT_NE(refusal_of({"--theme", "pink"}).find("--help"), std::string::npos);
+    EXPECT_NE(refusal_of({"--theme", "pink"}).find("dark or light"), std::string::npos);
     EXPECT_NE(refusal_of({"--seed", "-1"}), "none");
     EXPECT_NE(refusal_of({"--inside", "3"}).find("--frames"), std::string::npos);
     EXPECT_NE(refusal_of({"planets"}), "none");

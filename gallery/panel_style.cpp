@@ -27,7 +27,7 @@ struct Surfaces
 
 constexpr Surfaces dark = {.text = {0.90f, 0.92f, 0.95f, 1},
                            .quiet_text = {0.58f, 0.62f, 0.69f, 1},
-                           .panel = {0.086f, 0.098f, 0.129f, 0.95f},
+                           .panel = {0.086f, 0.098f, 0.129f, 1},
                            .raised = {0.110f, 0.125f, 0.165f, 0.98f},
                            .field = {0.157f, 0.176f, 0.224f, 1},
                            .edge = {0.204f, 0.227f, 0.286f, 1},
@@ -36,7 +36,7 @@ constexpr Surfaces dark = {.text = {0.90f, 0.92f, 0.95f, 1},
 
 constexpr Surfaces light = {.text = {0.11f, 0.13f, 0.17f, 1},
                             .quiet_text = {0.38f, 0.41f, 0.47f, 1},
-                            .panel = {0.976f, 0.980f, 0.988f, 0.96f},
+                            .panel = {0.976f, 0.980f, 0.988f, 1},
                             .raised = {1, 1, 1, 0.99f},
                             .field = {0.910f, 0.922f, 0.945f, 1},
                             .edge = {0.812f, 0.831f, 0.867f, 1},

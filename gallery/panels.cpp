@@ -32,6 +32,8 @@ void scene_panel(Gallery& gallery, const Rect& place)
         ImGui::BeginChild("story");
         scene_story(gallery);
         parameter_list(gallery);
+        heading("Controls");
+        scene_controls(gallery);
         ImGui::EndChild();
     }
     ImGui::End();
@@ -65,7 +67,16 @@ void side_panel(Gallery& gallery, const Rect& place)
 void bottom_panel(Gallery& gallery, const Rect& place)
 {
     if (begin_panel("Time", place)) time_bar(gallery);
+    gallery.bar_height = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + ImGui::GetStyle().WindowPadding.y;
     ImGui::End();
+}
+
+/// The window that is being laid out lies over the scene.
+void note_floating(Gallery& gallery)
+{
+    const ImVec2 place = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    gallery.floating.push_back({{place.x, place.y}, {place.x + size.x, place.y + size.y}});
 }
 
 /// Over the scene, at the bottom of the free part.
@@ -76,6 +87,7 @@ void inside_window(Gallery& gallery, const Rect& free)
     ImGui::SetNextWindowSize({std::max(free.size().x - 2 * margin, 60.0f), 0});
     ImGui::Begin("Inside a step", nullptr, fixed);
     inside_panel(gallery);
+    note_floating(gallery);
     ImGui::End();
 }
 
@@ -87,6 +99,7 @@ void message_window(Gallery& gallery, const Rect& free)
     ImGui::Begin("Message", nullptr, fixed | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::TextWrapped("%s", gallery.session.message().c_str());
     if (button(gallery, "Close")) gallery.session.say({});
+    note_floating(gallery);
     ImGui::End();
 }
 
@@ -95,10 +108,11 @@ void help_window(Gallery& gallery, scenes::Viewport window)
     const auto width = static_cast<float>(window.width);
     const auto height = static_cast<float>(window.height);
     ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(width, 46 * ImGui::GetFontSize()), std::min(height, 38 * ImGui::GetFontSize())});
+    ImGui::SetNextWindowSize({std::min(width, 46 * ImGui::GetFontSize()), std::min(height, 56 * ImGui::GetFontSize())});
     ImGui::SetNextWindowFocus();
     if (ImGui::Begin("Help", &gallery.shows_help, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse))
         help_text(gallery);
+    note_floating(gallery);
     ImGui::End();
 }
 
@@ -134,18 +148,19 @@ void help_text(const Gallery& gallery)
         ImGui::EndTable();
     }
     heading(gallery.session.scene().info().title.c_str());
-    scene_story(gallery);
+    scene_controls(gallery);
 }
 
 Rect draw_panels(Gallery& gallery, scenes::Viewport window, float scale)
 {
     const Vec2 size = {static_cast<float>(window.width), static_cast<float>(window.height)};
     Rect free = {{0, 0}, size};
+    gallery.floating.clear();
     if (gallery.shows_panels)
     {
         const float left = std::min(270 * scale, 0.3f * size.x);
         const float right = std::min(380 * scale, 0.36f * size.x);
-        const float bottom = std::min(72 * scale, 0.3f * size.y);
+        const float bottom = std::min(gallery.bar_height > 0 ? gallery.bar_height : 72 * scale, 0.5f * size.y);
         free = {{left, 0}, {size.x - right, size.y - bottom}};
         scene_panel(gallery, {{0, 0}, {left, size.y}});
         side_panel(gallery, {{size.x - right, 0}, size});

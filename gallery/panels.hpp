@@ -15,6 +15,7 @@ Rect draw_panels(Gallery& gallery, scenes::Viewport window, float scale);
 // The parts, each within a panel.
 void scene_list(Gallery& gallery, float height);
 void scene_story(const Gallery& gallery);
+void scene_controls(const Gallery& gallery);
 void parameter_list(Gallery& gallery);
 void time_bar(Gallery& gallery);
 void look_tab(Gallery& gallery);

@@ -175,6 +175,11 @@ void scene_story(const Gallery& gallery)
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(info.description.c_str());
     ImGui::PopTextWrapPos();
+}
+
+void scene_controls(const Gallery& gallery)
+{
+    const SceneInfo& info = gallery.session.scene().info();
     if (!ImGui::BeginTable("controls", 2, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableSetupColumn("input", ImGuiTableColumnFlags_WidthFixed, 5.5f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("action");

@@ -49,7 +49,7 @@ void Session::take(std::unique_ptr<scenes::Scene> scene)
     films_.clear();
     has_before_ = false;
     watched_ = {};
-    message_.clear();
+    say({});
 }
 
 void Session::make(const std::string& name, const scenes::ParameterValues& values, std::uint64_t seed)
@@ -183,6 +183,24 @@ std::optional<Vec2> Session::watched_place() const
     if (!body) return std::nullopt;
     if (!has_before_ || !watched_before_ || clock_.blend() >= 1) return body->position();
     return lerp(*watched_before_, body->position(), clock_.blend());
+}
+
+const std::string& Session::message() const
+{
+    static const std::string nothing;
+    return message_until_ && SteadyClock::now() >= *message_until_ ? nothing : message_;
+}
+
+void Session::say(std::string message)
+{
+    message_ = std::move(message);
+    message_until_.reset();
+}
+
+void Session::mention(std::string message)
+{
+    message_ = std::move(message);
+    message_until_ = SteadyClock::now() + std::chrono::seconds(4);
 }
 
 void Session::look_inside()

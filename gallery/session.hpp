@@ -7,6 +7,7 @@
 #include "gallery/step_film.hpp"
 #include "scenes/scene.hpp"
 
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -63,8 +64,10 @@ public:
     const StepFilm& film() const { return films_[film_]; }
     std::size_t moment() const { return moment_; }
 
-    const std::string& message() const { return message_; }
-    void say(std::string message) { message_ = std::move(message); }
+    /// What the person should know; empty when there is nothing.
+    const std::string& message() const;
+    void say(std::string message);     ///< until it is closed
+    void mention(std::string message); ///< for a few seconds
 
 private:
     void take(std::unique_ptr<scenes::Scene> scene);
@@ -91,6 +94,7 @@ private:
     std::size_t film_ = 0;
     std::size_t moment_ = 0;
     std::string message_;
+    std::optional<std::chrono::steady_clock::time_point> message_until_; ///< none: until it is closed
 };
 
 } // namespace carom::gallery

@@ -11,21 +11,27 @@ namespace carom::gallery
 namespace
 {
 
+/// @param letters width of the slider before its label
+void flow_to_slider(float letters, const char* label)
+{
+    flow(letters * ImGui::GetFontSize() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(label).x);
+}
+
 void run_buttons(Gallery& gallery)
 {
     const bool is_paused = gallery.session.clock().is_paused();
     if (button(gallery, is_paused ? "Go on##pause" : "Pause##pause", "P")) press_key(gallery, SDLK_p, false, false);
-    ImGui::SameLine();
+    flow("Step");
     if (button(gallery, "Step", "a single step (O)")) press_key(gallery, SDLK_o, false, false);
-    ImGui::SameLine();
+    flow("Look inside");
     if (button(gallery, "Look inside", "walk through the stages of the next step (I)")) press_key(gallery, SDLK_i, false, false);
-    ImGui::SameLine();
+    flow("Restart");
     if (button(gallery, "Restart", "with the same seed (R)")) gallery.session.restart();
-    ImGui::SameLine();
+    flow("New seed");
     if (button(gallery, "New seed", "restart with other random numbers")) gallery.session.restart_with(gallery.session.seed() + 1);
-    ImGui::SameLine();
     char seed[32];
     std::snprintf(seed, sizeof seed, "seed %llu", static_cast<unsigned long long>(gallery.session.seed()));
+    flow(seed);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", seed);
 }
@@ -53,7 +59,7 @@ void rates(Gallery& gallery)
         gallery.session.set_parameter("step_rate", static_cast<double>(hertz));
     gallery.widgets.note("hertz");
     tip_of_last("steps in a second of simulated time");
-    ImGui::SameLine();
+    flow_to_slider(5, "substeps");
     ImGui::PushItemWidth(5 * ImGui::GetFontSize());
     if (ImGui::SliderInt("substeps", &substeps, 1, 64, "%d", ImGuiSliderFlags_AlwaysClamp))
         gallery.session.set_parameter("substeps", static_cast<std::int64_t>(substeps));
@@ -69,17 +75,17 @@ void time_bar(Gallery& gallery)
 {
     run_buttons(gallery);
     speed_slider(gallery);
-    ImGui::SameLine();
+    flow_to_slider(7, "hertz");
     rates(gallery);
-    ImGui::SameLine();
+    flow_to_slider(1.5f, "smooth");
     checkbox(gallery, "smooth", gallery.draw.is_blended,
              "show motion between steps, so that it does not depend on the rates of steps and frames");
-    ImGui::SameLine();
     char words[64];
     if (gallery.session.clock().is_paused())
         std::snprintf(words, sizeof words, "paused at %.2f s", gallery.session.scene().time());
     else
         std::snprintf(words, sizeof words, "%.1f s, %.2f x real time", gallery.session.scene().time(), gallery.session.real_time_factor());
+    flow(words);
     ImGui::TextDisabled("%s", words);
 }
 

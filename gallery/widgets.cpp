@@ -23,6 +23,14 @@ bool button(Gallery& gallery, const char* label, const char* tip)
     return is_pressed;
 }
 
+void flow(float width)
+{
+    const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+    if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
+}
+
+void flow(const char* label) { flow(ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x); }
+
 void tip_of_last(const std::string& words)
 {
     if (!ImGui::IsItemHovered() || words.empty()) return;

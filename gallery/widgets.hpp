@@ -14,6 +14,11 @@ namespace carom::gallery
 /// A checkbox that is noted in the map of widgets.
 bool checkbox(Gallery& gallery, const char* label, bool& value, const char* tip = nullptr);
 bool button(Gallery& gallery, const char* label, const char* tip = nullptr);
+/// Goes on in the line of the widget before when the next one fits there.
+/// @param width that it takes [points]
+void flow(float width);
+/// For a button of this label, and for a text.
+void flow(const char* label);
 /// Words that appear while the pointer rests on the widget before.
 void tip_of_last(const std::string& words);
 /// A line of a history.
