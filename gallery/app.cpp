@@ -3,6 +3,7 @@
 
 #include "gallery/failure.hpp"
 #include "gallery/keys.hpp"
+#include "gallery/moment_words.hpp"
 #include "gallery/overlay_names.hpp"
 #include "gallery/panels.hpp"
 #include "gallery/text_painter.hpp"

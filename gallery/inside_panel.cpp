@@ -1,4 +1,5 @@
 // The way through a step, stage by stage.
+#include "gallery/moment_words.hpp"
 #include "gallery/panels.hpp"
 #include "gallery/widgets.hpp"
 
@@ -44,6 +45,9 @@ void inside_panel(Gallery& gallery)
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(explanation_of(moment).c_str());
     ImGui::PopTextWrapPos();
+    if (film.is_cut())
+        muted("The world is so large that only the first " + std::to_string(film.substeps_kept()) + " of " +
+              std::to_string(film.moments().back().when.substeps) + " substeps were kept.");
 }
 
 } // namespace carom::gallery

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <numeric>
 #include <utility>
 
 namespace carom::gallery
@@ -19,8 +20,9 @@ using SteadyClock = std::chrono::steady_clock;
 
 double seconds_since(SteadyClock::time_point start) { return std::chrono::duration<double>(SteadyClock::now() - start).count(); }
 
-/// Looking back is worth a few steps; a film of a large world takes tens of megabytes.
+/// Looking back is worth a few steps, but films of a large world take much memory.
 constexpr std::size_t most_films = 4;
+constexpr std::size_t most_film_bytes = 500'000'000; // of all together, but that the last one stays
 
 /// Starts a film of the world as it is when its own step begins, after the scene's code has run.
 class FilmStarter : public scenes::StepObserver
@@ -206,10 +208,14 @@ void Session::mention(std::string message)
 void Session::look_inside()
 {
     clock_.set_paused(true);
+    keep_before(); // when time goes on, motion is shown from here
     StepFilm film(scene_->world());
     if (!step(&film)) return;
     films_.push_back(std::move(film));
-    if (films_.size() > most_films) films_.pop_front();
+    const auto add = [](std::size_t sum, const StepFilm& each) { return sum + each.bytes(); };
+    while (films_.size() > 1 &&
+           (films_.size() > most_films || std::accumulate(films_.begin(), films_.end(), std::size_t{0}, add) > most_film_bytes))
+        films_.pop_front();
     film_ = films_.size() - 1;
     moment_ = 0;
 }

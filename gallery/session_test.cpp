@@ -1,5 +1,6 @@
 #include "gallery/session.hpp"
 
+#include "gallery/moment_words.hpp"
 #include "scenes/registry.hpp"
 
 #include <algorithm>
@@ -93,6 +94,24 @@ TEST(Session, walks_through_steps_forwards_and_back)
     }
     session.leave_inside();
     EXPECT_FALSE(session.is_inside());
+}
+
+TEST(Session, goes_on_from_the_last_step_that_was_looked_into)
+{
+    Session session("collisions", {}, 1);
+    session.advance(frame);
+    for (int i = 0; i < 9; ++i) session.look_inside();
+    EXPECT_EQ(session.scene().world().step_count(), 10u);
+    session.leave_inside();
+    session.clock().set_paused(false);
+    DrawOptions sharp;
+    sharp.is_blended = false;
+    const Vec2 end = first_disc(session.picture(sharp, 20));
+    session.advance(0.1 * frame);
+    const Vec2 shown = first_disc(session.picture({}, 20));
+    session.advance(frame);
+    const float step = distance(first_disc(session.picture(sharp, 20)), end);
+    EXPECT_LT(distance(shown, end), 1.5f * step) << "a step behind at most";
 }
 
 TEST(Session, says_something_about_every_moment)
