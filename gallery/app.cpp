@@ -209,10 +209,7 @@ void App::lay_out()
 {
     if (!is_over_panel(pointer_)) gallery_.hand.look();
     const Rect free = draw_panels(gallery_, window_.size(), window_.ui_scale());
-    View& view = gallery_.view;
-    view.set_layout(window_.size(), free);
-    view.set_base(gallery_.session.scene().camera());
-    view.follow(gallery_.session.watched_place());
+    gallery_.look(window_.size(), free);
 }
 
 void App::draw_scene()

@@ -50,6 +50,14 @@ struct Gallery
     /// The body that the inspector shows: the picked one, or else the one under the pointer.
     BodyId inspected() const { return hand.selected() ? hand.selected() : hand.hovered(); }
     void toggle_follow();
+    /// Turns the view to what is seen now, once a frame. Another scene begins with its own camera; a body that is gone is followed no more.
+    /// @param window of the program [points]
+    /// @param free   the part that no panel covers
+    void look(scenes::Viewport window, const Rect& free);
+
+private:
+    std::string scene_;  ///< of the last look()
+    int generation_ = 0; ///< of the session, at the last look()
 };
 
 } // namespace carom::gallery

@@ -48,6 +48,9 @@ Geometry geometry_of(const SpawnOptions& options)
     return convex_hull(corners);
 }
 
+/// Farther out nothing is done; false also for what is not finite.
+bool is_near(Vec2 place) { return std::abs(place.x) <= scenes::farthest_pointer && std::abs(place.y) <= scenes::farthest_pointer; }
+
 /// How fast a body is thrown by a drag: a metre of it is so many metres a second.
 constexpr float throw_rate = 4; // [1/s]
 
@@ -57,28 +60,39 @@ std::optional<BodyId> Hand::body_at(Vec2 at, bool only_dynamic) const
 {
     const World& world = session_.scene().world();
     const Vec2 point = view_.to_world(at);
-    if (!is_finite(point) || std::abs(point.x) > scenes::farthest_pointer || std::abs(point.y) > scenes::farthest_pointer)
-        return std::nullopt;
+    if (!is_near(point)) return std::nullopt;
     std::optional<BodyId> found;
     bool is_found_dynamic = false;
-    world.visit_shapes_at(point, [&](ShapeId shape)
+    const auto visit = [&](ShapeId shape)
     {
         const BodyId body = world.shape(shape).body();
         const bool is_dynamic = world.body(body).type() == BodyType::Dynamic;
         if (is_found_dynamic || (only_dynamic && !is_dynamic)) return;
         found = body;
         is_found_dynamic = is_dynamic;
-    });
+    };
+    try
+    {
+        world.visit_shapes_at(point, visit);
+    }
+    catch (const UsageError&)
+    {
+        return std::nullopt; // an error stopped the world in the middle of a step, and the session has said so
+    }
     return found;
 }
 
-void Hand::notice_new_scene()
+void Hand::notice_changes()
 {
-    if (generation_ == session_.generation()) return;
-    generation_ = session_.generation();
-    grabber_ = {};
-    hovered_ = selected_ = {};
-    doing_ = Doing::Nothing;
+    if (generation_ != session_.generation())
+    {
+        generation_ = session_.generation();
+        grabber_ = {};
+        held_ = hovered_ = selected_ = {};
+        doing_ = Doing::Nothing;
+    }
+    const bool moves_picture = doing_ == Doing::WaitingRight || doing_ == Doing::Panning;
+    if (session_.is_inside() && !moves_picture) drop(); // what is looked into stands still
 }
 
 void Hand::to_scene(PointerEvent::Action action, PointerEvent::Button button, Vec2 at, float wheel)
@@ -93,16 +107,29 @@ void Hand::to_scene(PointerEvent::Action action, PointerEvent::Button button, Ve
     }
 }
 
-void Hand::to_grabber(PointerEvent::Action action, Vec2 at)
+void Hand::to_grabber(PointerEvent::Action action, Vec2 place)
 {
-    const Vec2 place = view_.to_world(at);
-    if (is_finite(place) && std::abs(place.x) <= scenes::farthest_pointer && std::abs(place.y) <= scenes::farthest_pointer)
+    if (action != PointerEvent::Action::Up && !is_near(place)) return;
+    try
+    {
         grabber_.on_pointer(session_.scene().world(), {action, PointerEvent::Button::Left, place, 0});
+    }
+    catch (const std::exception& error)
+    {
+        session_.say(error.what());
+    }
+}
+
+void Hand::take_hold()
+{
+    doing_ = Doing::Dragging;
+    const std::optional<BodyView> body = std::as_const(session_).scene().world().find_body(held_);
+    if (body) to_grabber(PointerEvent::Action::Down, body->transform() * held_at_);
 }
 
 void Hand::press(Button button, Vec2 at, Modifiers modifiers)
 {
-    notice_new_scene();
+    notice_changes();
     if (doing_ != Doing::Nothing) return; // one thing at a time
     pressed_at_ = last_ = at;
     if (button == Button::Middle)
@@ -115,8 +142,12 @@ void Hand::press(Button button, Vec2 at, Modifiers modifiers)
         selected_ = body_at(at, false).value_or(BodyId{});
     else if (modifiers.shift)
         doing_ = Doing::Throwing;
-    else if (!session_.scene().info().drags_bodies && body_at(at, true))
+    else if (const auto body = session_.scene().info().drags_bodies ? std::nullopt : body_at(at, true))
+    {
         doing_ = Doing::Waiting;
+        held_ = *body;
+        held_at_ = inverse_transform(session_.scene().world().body(held_).transform(), view_.to_world(at));
+    }
     else
     {
         doing_ = Doing::Scene;
@@ -126,15 +157,11 @@ void Hand::press(Button button, Vec2 at, Modifiers modifiers)
 
 void Hand::move(Vec2 to)
 {
-    notice_new_scene();
+    notice_changes();
     const bool is_drag = distance(to, pressed_at_) > click_distance;
-    if (doing_ == Doing::Waiting && is_drag)
-    {
-        doing_ = Doing::Dragging;
-        to_grabber(PointerEvent::Action::Down, pressed_at_);
-    }
+    if (doing_ == Doing::Waiting && is_drag) take_hold();
     if (doing_ == Doing::WaitingRight && is_drag) doing_ = Doing::Panning;
-    if (doing_ == Doing::Dragging) to_grabber(PointerEvent::Action::Move, to);
+    if (doing_ == Doing::Dragging) to_grabber(PointerEvent::Action::Move, view_.to_world(to));
     if (doing_ == Doing::Panning) view_.pan(to - last_);
     if (doing_ == Doing::Nothing || doing_ == Doing::Scene)
     {
@@ -146,14 +173,14 @@ void Hand::move(Vec2 to)
 
 void Hand::look()
 {
-    notice_new_scene();
+    notice_changes();
     if (doing_ != Doing::Nothing && doing_ != Doing::Scene) return;
     if (const auto body = body_at(last_, false)) hovered_ = *body;
 }
 
 void Hand::release(Button button, Vec2 at)
 {
-    notice_new_scene();
+    notice_changes();
     const bool is_mine = button == Button::Left
                              ? doing_ == Doing::Waiting || doing_ == Doing::Dragging || doing_ == Doing::Throwing || doing_ == Doing::Scene
                          : button == Button::Right ? doing_ == Doing::WaitingRight || doing_ == Doing::Panning
@@ -168,7 +195,7 @@ void Hand::release(Button button, Vec2 at)
         to_scene(PointerEvent::Action::Down, button_of(button), at);
         return to_scene(PointerEvent::Action::Up, button_of(button), at);
     case Doing::Scene: return to_scene(PointerEvent::Action::Up, button_of(button), at);
-    case Doing::Dragging: return to_grabber(PointerEvent::Action::Up, at);
+    case Doing::Dragging: return to_grabber(PointerEvent::Action::Up, view_.to_world(at));
     case Doing::Throwing: return throw_body(at);
     case Doing::Panning:
     case Doing::Nothing: return;
@@ -177,7 +204,7 @@ void Hand::release(Button button, Vec2 at)
 
 void Hand::wheel(float notches, Vec2 at, Modifiers modifiers)
 {
-    notice_new_scene();
+    notice_changes();
     if (modifiers.shift) return to_scene(PointerEvent::Action::Wheel, PointerEvent::Button::None, at, notches);
     constexpr float factor = 1.15f; // of a notch
     view_.zoom_at(at, std::pow(factor, notches));
@@ -185,8 +212,13 @@ void Hand::wheel(float notches, Vec2 at, Modifiers modifiers)
 
 void Hand::let_go()
 {
-    notice_new_scene();
-    if (doing_ == Doing::Dragging) to_grabber(PointerEvent::Action::Up, last_);
+    notice_changes();
+    drop();
+}
+
+void Hand::drop()
+{
+    if (doing_ == Doing::Dragging) to_grabber(PointerEvent::Action::Up, view_.to_world(last_));
     if (doing_ == Doing::Scene) to_scene(PointerEvent::Action::Up, PointerEvent::Button::Left, last_);
     doing_ = Doing::Nothing;
 }

@@ -41,8 +41,9 @@ struct SpawnOptions
     float restitution = 0.2f;
 };
 
-/// A click on a body is the scene's, a drag of a body moves it; what is pressed where no body is goes to the scene at once. The right button acts in the
-/// scene when it is let go where it was pressed, and moves the picture otherwise. Places are in points of the window.
+/// A click on a body is the scene's, a drag of a body moves it; what is pressed where no dynamic body is, and in scenes that drag bodies
+/// themselves, goes to the scene at once. The right button acts in the scene when it is let go where it was pressed, and moves the picture otherwise.
+/// In a step that is looked into, the picture is all that moves. Places are in points of the window.
 class Hand
 {
 public:
@@ -55,7 +56,7 @@ public:
     void wheel(float notches, Vec2 at, Modifiers modifiers);
     /// Bodies move under a pointer that rests: sees which one is there now. Once a frame, while the pointer is over the scene.
     void look();
-    /// The pointer has left, or what it held is gone.
+    /// Drops what is held, as when the window loses the keyboard: the button may come up where nobody tells.
     void let_go();
 
     bool is_busy() const { return doing_ != Doing::Nothing; } ///< something is held: the pointer is its until it is let go
@@ -80,9 +81,11 @@ private:
     };
 
     std::optional<BodyId> body_at(Vec2 at, bool only_dynamic) const;
-    void notice_new_scene();
+    void notice_changes(); ///< of the session: another scene, a look inside
     void to_scene(scenes::PointerEvent::Action action, scenes::PointerEvent::Button button, Vec2 at, float wheel = 0);
-    void to_grabber(scenes::PointerEvent::Action action, Vec2 at);
+    void to_grabber(scenes::PointerEvent::Action action, Vec2 place);
+    void take_hold();
+    void drop();
     void throw_body(Vec2 at);
 
     Session& session_;
@@ -91,6 +94,8 @@ private:
     Doing doing_ = Doing::Nothing;
     Vec2 pressed_at_; ///< [points]
     Vec2 last_;       ///< [points]
+    BodyId held_;     ///< that was pressed on
+    Vec2 held_at_;    ///< where, in its frame [m]: it moves on until the press turns out to be a drag
     BodyId hovered_;
     BodyId selected_;
     int generation_ = 0; ///< of the session, to which the ids belong

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 namespace carom::gallery
 {
@@ -71,6 +72,63 @@ TEST(Hand, drags_a_body_and_adds_none)
     desk.hand.release(Button::Left, to);
     EXPECT_EQ(desk.session.scene().world().joint_count(), 0);
     EXPECT_EQ(desk.bodies(), bodies);
+}
+
+TEST(Hand, drags_a_body_that_moved_on_before_the_press_became_a_drag)
+{
+    Desk desk("collisions");
+    const BodyId body = desk.any_body();
+    const Vec2 from = desk.at(body);
+    desk.hand.press(Button::Left, from, {});
+    desk.session.scene().world().body(body).set_transform(desk.session.scene().world().body(body).position() + Vec2{0, 300}, 0);
+    desk.hand.move(from + Vec2{50, 0});
+    EXPECT_EQ(desk.session.scene().world().joint_count(), 1);
+    desk.hand.release(Button::Left, {NAN, 0});
+    EXPECT_EQ(desk.session.scene().world().joint_count(), 0) << "it lets go wherever that is";
+}
+
+TEST(Hand, bears_a_world_that_an_error_stopped)
+{
+    struct Thrower : StepProbe
+    {
+        void after_stage(const StepMoment&, const StepView&) override { throw std::runtime_error("no memory"); }
+    };
+    Desk desk("collisions");
+    const BodyId body = desk.any_body();
+    const Vec2 at = desk.at(body);
+    Thrower thrower;
+    EXPECT_THROW(desk.session.scene().step(nullptr, &thrower), std::runtime_error);
+    desk.hand.move(at);
+    desk.hand.look();
+    desk.hand.press(Button::Left, at, {});
+    desk.hand.move(at + Vec2{50, 0});
+    desk.hand.release(Button::Left, at + Vec2{50, 0});
+    desk.step(1);
+    EXPECT_NE(desk.session.message().find("Press R"), std::string::npos) << desk.session.message();
+    desk.session.picture({}, 20);
+    desk.session.restart();
+    desk.session.clock().set_paused(false);
+    desk.step(1);
+    EXPECT_EQ(desk.session.scene().world().step_count(), 1u);
+}
+
+TEST(Hand, drops_what_it_holds_when_a_step_is_looked_into)
+{
+    Desk desk("collisions");
+    const BodyId body = desk.any_body();
+    desk.hand.press(Button::Left, desk.at(body), {});
+    desk.hand.move(desk.at(body) + Vec2{50, 0});
+    desk.session.look_inside();
+    desk.hand.look();
+    EXPECT_EQ(desk.session.scene().world().joint_count(), 0);
+    EXPECT_FALSE(desk.hand.is_busy());
+
+    desk.session.leave_inside();
+    const int bodies = desk.bodies();
+    desk.hand.press(Button::Left, {400, 300}, {.shift = true});
+    desk.session.look_inside();
+    desk.hand.release(Button::Left, {500, 300});
+    EXPECT_EQ(desk.bodies(), bodies) << "nothing is thrown into a step";
 }
 
 TEST(Hand, leaves_dragging_to_the_scene_that_does_it_itself)

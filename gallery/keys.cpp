@@ -158,11 +158,4 @@ void press_key(Gallery& gallery, SDL_Keycode key, bool has_ctrl, bool is_repeat)
     }
 }
 
-void Gallery::toggle_follow()
-{
-    const BodyId body = inspected();
-    const bool can_follow = !session.watched() && session.scene().world().find_body(body);
-    session.watch(can_follow ? body : BodyId{});
-}
-
 } // namespace carom::gallery

@@ -144,6 +144,7 @@ void help_text(const Gallery& gallery)
     if (begin("keys"))
     {
         for (const KeyAction& action : key_actions()) row(action.label, action.what);
+        row("Esc", "close this help, let the picked body go, and leave a step that is looked into");
         row("arrows", "while you look inside a step: back and forth");
         ImGui::EndTable();
     }

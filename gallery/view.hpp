@@ -33,6 +33,7 @@ public:
     void set_base(const scenes::Camera& base) { base_ = base; }
     /// A place that stays in the middle, instead of the base's; none ends that.
     void follow(std::optional<Vec2> center);
+    bool is_following() const { return followed_.has_value(); }
 
     /// As if the window showed the scene by itself: for a renderer that knows the whole window's size.
     scenes::Camera camera() const;
