@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace carom::gallery
@@ -53,12 +55,17 @@ struct Scenery
     std::vector<DebugContact> contacts;
     std::vector<DebugJoint> joints;
 
-    const DebugBody* find(BodyId id) const
+    const DebugBody* find(BodyId id) const { return find_in(bodies, id); }
+    const SeenShape* find(ShapeId id) const { return find_in(shapes, id); }
+
+private:
+    /// Things come by index.
+    template <class Thing, class Id>
+    static const Thing* find_in(const std::vector<Thing>& things, Id id)
     {
-        // They come by index.
-        const auto place =
-            std::lower_bound(bodies.begin(), bodies.end(), id.index, [](const DebugBody& b, std::uint32_t i) { return b.id.index < i; });
-        return place != bodies.end() && place->id == id ? &*place : nullptr;
+        const auto is_before = [](const Thing& thing, std::uint32_t index) { return thing.id.index < index; };
+        const auto place = std::lower_bound(things.begin(), things.end(), id.index, is_before);
+        return place != things.end() && place->id == id ? &*place : nullptr;
     }
 };
 
@@ -107,7 +114,7 @@ public:
         });
     }
 
-    /// The largest impulse in sight has the longest arrow.
+    /// The largest impulse of all has the longest arrow.
     void impulses() const
     {
         float largest = 0;
@@ -143,8 +150,6 @@ public:
     /// Lines between the bodies of each contact that the solver works on, in the colour of its group.
     void graph_colors() const
     {
-        std::unordered_map<std::uint64_t, const Scenery::SeenShape*> shapes;
-        for (const Scenery::SeenShape& shape : scenery_.shapes) shapes[shape.id.index] = &shape;
         for (const DebugContact& contact : scenery_.contacts)
         {
             if (contact.color < 0 || contact.manifold.point_count == 0) continue;
@@ -152,8 +157,8 @@ public:
             const Vec2 point = contact.manifold.points[0].position;
             for (const ShapeId id : {contact.shape_a, contact.shape_b})
             {
-                const auto shape = shapes.find(id.index);
-                const DebugBody* body = shape != shapes.end() ? scenery_.find(shape->second->body) : nullptr;
+                const Scenery::SeenShape* shape = scenery_.find(id);
+                const DebugBody* body = shape ? scenery_.find(shape->body) : nullptr;
                 if (body && body->type == BodyType::Dynamic) list_.line(Layer::Marks, body->center_of_mass, point, color, 2.5f);
             }
             dot(point, color);
@@ -227,14 +232,19 @@ private:
     DrawList& list_;
 };
 
-void draw_names(const World& world, const Scenery& scenery, DrawList& list)
+/// Where names would lie on each other, the first one stays: nobody could read them, and thousands take most of a second to draw.
+void draw_names(const World& world, const Scenery& scenery, float height, DrawList& list)
 {
+    const Vec2 room = {0.045f * height, 0.02f * height}; // of a short name
+    std::set<std::pair<float, float>> taken;
     for (const DebugBody& body : scenery.bodies)
     {
         const std::string_view name = world.body(body.id).name();
         if (name.empty() && body.type == BodyType::Static) continue;
+        const Vec2 at = body.center_of_mass;
+        if (!taken.emplace(std::floor(at.x / room.x), std::floor(at.y / room.y)).second) continue;
         std::string text = name.empty() ? "#" + std::to_string(body.id.index) : std::string(name);
-        list.text({.text = std::move(text), .size = 13, .place = scenes::Place::World, .position = body.center_of_mass});
+        list.text({.text = std::move(text), .size = 13, .place = scenes::Place::World, .position = at});
     }
 }
 
@@ -324,7 +334,7 @@ void draw_overlay(const World& world, const DrawOptions& options, float height, 
     if (options.impulses) pen.impulses();
     if (options.velocities) pen.velocities();
     if (options.mass_centers) pen.mass_centers();
-    if (options.names) draw_names(world, scenery, list);
+    if (options.names) draw_names(world, scenery, height, list);
 }
 
 void draw_moment(const StepFilm& film, std::size_t index, float height, DrawList& list)

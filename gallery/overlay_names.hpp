@@ -21,7 +21,7 @@ inline constexpr std::array overlays = {
     OverlayName{"shapes", &DrawOptions::shapes, "the scene's own picture of its bodies"},
     OverlayName{"contacts", &DrawOptions::contacts, "points where shapes touch, and normals from A to B; pale where they only come near"},
     OverlayName{"impulses", &DrawOptions::impulses,
-                "orange along normals, green along surfaces, pink on joints; the largest in sight is longest"},
+                "orange along normals, green along surfaces, pink on joints; the largest of each is longest"},
     OverlayName{"joints", &DrawOptions::joints, "anchors, and lines to the centres of mass"},
     OverlayName{"velocities", &DrawOptions::velocities, "how far each centre moves in 0.1 s"},
     OverlayName{"mass centres", &DrawOptions::mass_centers, "centres of mass, and how the bodies are turned"},
@@ -33,7 +33,7 @@ inline constexpr std::array overlays = {
 
 /// "contacts, impulses, ...", for messages; without the shapes, which are drawn anyway.
 std::string overlay_names();
-/// @throws BadUsage naming one of a similar name, or all of them
+/// @throws BadUsage naming all of them
 bool DrawOptions::* find_overlay(std::string_view name);
 
 } // namespace carom::gallery

@@ -22,7 +22,7 @@ struct ShapeInstance
     float radius = 0;                 ///< [pixels]
     float half_line = 0;              ///< half of the border's width; 0 for none [pixels]
     float count = 0;                  ///< of corners
-    float power = 0;                  ///< see below
+    float power = 0;                  ///< see above
     std::uint32_t fill = 0;           ///< red, green, blue, opacity, a byte each from the lowest
     std::uint32_t line = 0;
 };

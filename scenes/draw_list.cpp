@@ -43,7 +43,7 @@ Geometry scaled(const Geometry& geometry, float factor)
 
 void DrawList::shape(Layer layer, const Geometry& geometry, const Transform& transform, const Paint& paint)
 {
-    this->layer(layer).shapes.push_back({geometry, transform, paint});
+    this->layer(layer).shapes.emplace_back(geometry, transform, paint); // made in place: a shape is 200 bytes
 }
 
 void DrawList::disc(Layer layer, Vec2 center, float radius, const Paint& paint)
