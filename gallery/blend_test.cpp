@@ -18,38 +18,36 @@ DrawList disc_at(Vec2 p)
     return list;
 }
 
+/// A picture between two.
+DrawList blended(const DrawList& before, DrawList after, float t)
+{
+    Places places;
+    places.note(before);
+    blend(places, t, 5, after);
+    return after;
+}
+
 Vec2 place_of(const DrawList& list) { return list.layer(Layer::Bodies).shapes.front().transform.p; }
 
 } // namespace
 
 TEST(Blend, shows_things_between_their_places)
 {
-    DrawList out;
-    blend(disc_at({0, 0}), disc_at({1, 2}), 0.25f, 5, out);
-    EXPECT_EQ(place_of(out), (Vec2{0.25f, 0.5f}));
-    blend(disc_at({0, 0}), disc_at({1, 2}), 1, 5, out);
-    EXPECT_EQ(place_of(out), (Vec2{1, 2}));
+    EXPECT_EQ(place_of(blended(disc_at({0, 0}), disc_at({1, 2}), 0.25f)), (Vec2{0.25f, 0.5f}));
+    EXPECT_EQ(place_of(blended(disc_at({0, 0}), disc_at({1, 2}), 1)), (Vec2{1, 2}));
 }
 
-TEST(Blend, does_not_draw_a_jump_as_a_flight)
-{
-    DrawList out;
-    blend(disc_at({0, 0}), disc_at({10, 0}), 0.5f, 5, out);
-    EXPECT_EQ(place_of(out), (Vec2{10, 0}));
-}
+TEST(Blend, does_not_draw_a_jump_as_a_flight) { EXPECT_EQ(place_of(blended(disc_at({0, 0}), disc_at({10, 0}), 0.5f)), (Vec2{10, 0})); }
 
 TEST(Blend, shows_the_later_picture_when_something_came_or_became_another)
 {
-    DrawList out;
     DrawList two = disc_at({1, 0});
     two.disc(Layer::Bodies, {2, 0}, 1, {});
-    blend(disc_at({0, 0}), two, 0.5f, 5, out);
-    EXPECT_EQ(place_of(out), (Vec2{1, 0}));
+    EXPECT_EQ(place_of(blended(disc_at({0, 0}), two, 0.5f)), (Vec2{1, 0}));
 
     DrawList box;
     box.shape(Layer::Bodies, carom::box(1, 1), {.p = {1, 0}, .q = {}}, {});
-    blend(disc_at({0, 0}), box, 0.5f, 5, out);
-    EXPECT_EQ(place_of(out), (Vec2{1, 0}));
+    EXPECT_EQ(place_of(blended(disc_at({0, 0}), box, 0.5f)), (Vec2{1, 0}));
 }
 
 TEST(Blend, turns_the_short_way)

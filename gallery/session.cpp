@@ -1,7 +1,6 @@
 // Makes scenes, steps them, and keeps what is needed to show them.
 #include "gallery/session.hpp"
 
-#include "gallery/blend.hpp"
 #include "scenes/registry.hpp"
 
 #include <algorithm>
@@ -122,8 +121,9 @@ bool Session::step(StepFilm* film)
 /// The picture moves from here to where the next step ends.
 void Session::keep_before()
 {
-    before_.clear();
-    scene_->draw(before_);
+    picture_.clear();
+    scene_->draw(picture_);
+    before_.note(picture_);
     has_before_ = true;
     const std::optional<BodyView> body = std::as_const(*scene_).world().find_body(watched_);
     watched_before_ = body ? std::optional(body->position()) : std::nullopt;
@@ -158,23 +158,16 @@ void Session::measure(double elapsed, double simulated)
 
 scenes::DrawList& Session::picture(const DrawOptions& options, float height)
 {
-    now_.clear();
+    constexpr float jump = 0.2f; // of the picture's height: whatever goes so far in a step is not seen as moving
+    picture_.clear();
     if (is_inside())
     {
-        draw_moment(film(), moment_, height, now_);
-        return now_;
+        draw_moment(film(), moment_, height, picture_);
+        return picture_;
     }
-    scene_->draw(now_);
-    if (!options.shapes) now_.layer(scenes::Layer::Bodies).shapes.clear();
-    const bool is_between = has_before_ && options.is_blended && clock_.blend() < 1;
-    if (is_between)
-    {
-        constexpr float jump = 0.2f; // of the picture's height: whatever goes so far in a step is not seen as moving
-        if (!options.shapes) before_.layer(scenes::Layer::Bodies).shapes.clear();
-        blend(before_, now_, clock_.blend(), jump * height, picture_);
-    }
-    else
-        std::swap(now_, picture_);
+    scene_->draw(picture_);
+    if (has_before_ && options.is_blended) blend(before_, clock_.blend(), jump * height, picture_);
+    if (!options.shapes) picture_.layer(scenes::Layer::Bodies).shapes.clear();
     draw_overlay(scene_->world(), options, height, picture_);
     return picture_;
 }

@@ -1,6 +1,7 @@
 // The scene that is being played: its time, what it looks like now, what its steps cost, and a look inside of one.
 #pragma once
 
+#include "gallery/blend.hpp"
 #include "gallery/clock.hpp"
 #include "gallery/overlay.hpp"
 #include "gallery/stage_meter.hpp"
@@ -83,9 +84,8 @@ private:
     double step_seconds_ = 0;
     double factor_ = 1;
 
-    scenes::DrawList before_; ///< as it was before the last step
-    scenes::DrawList now_;
-    scenes::DrawList picture_;
+    scenes::DrawList picture_; ///< the last one; kept for its memory
+    Places before_;            ///< as it was before the last step
     bool has_before_ = false;
     BodyId watched_;
     std::optional<Vec2> watched_before_;
