@@ -114,14 +114,34 @@ void App::frame()
     const bool is_last = options_.frames > 0 && frame_ + 1 == options_.frames;
 
     handle_events();
+    advance(seconds, times);
+    show(times);
+    if (is_last && !options_.screenshot.empty()) write_png(window_.read_back(), options_.screenshot);
+    update_window();
+    const SteadyClock::time_point complete = SteadyClock::now();
+    window_.present();
+    times.present = ms_between(complete, SteadyClock::now());
+    if (frame_ > 0) gallery_.frames.add(times); // the first one waits for fonts and shaders
+    gallery_.widgets.end_frame();
+    // A screen that does not hold the frames back would have the processor draw thousands of them a second.
+    if (options_.frames == 0) std::this_thread::sleep_until(start + shortest_frame);
+}
+
+void App::advance(double seconds, FrameTimes& times)
+{
     if (options_.inside >= 0 && frame_ + 1 == std::max(options_.frames - settling_frames, 1))
     {
         gallery_.session.look_inside();
         gallery_.session.show_moment(static_cast<std::size_t>(options_.inside));
     }
+    const SteadyClock::time_point start = SteadyClock::now();
     gallery_.session.advance(seconds);
     times.step = ms * gallery_.session.step_seconds();
+    times.draw = ms_between(start, SteadyClock::now()) - times.step; // seeing where motion begins
+}
 
+void App::show(FrameTimes& times)
+{
     const SteadyClock::time_point stepped = SteadyClock::now();
     window_.begin_frame();
     gallery_.widgets.begin_frame();
@@ -135,18 +155,9 @@ void App::frame()
     const SteadyClock::time_point done = SteadyClock::now();
 
     times.panels = ms_between(stepped, laid_out) + ms_between(drawn, done);
-    times.draw = ms_between(laid_out, drawn);
+    times.draw += ms_between(laid_out, drawn);
     times.draw_gpu = draw_timer_.latest_ms().value_or(0);
     times.panels_gpu = panel_timer_.latest_ms().value_or(0);
-    if (is_last && !options_.screenshot.empty()) write_png(window_.read_back(), options_.screenshot);
-    update_window();
-    const SteadyClock::time_point complete = SteadyClock::now();
-    window_.present();
-    times.present = ms_between(complete, SteadyClock::now());
-    if (frame_ > 0) gallery_.frames.add(times); // the first one waits for fonts and shaders
-    gallery_.widgets.end_frame();
-    // A screen that does not hold the frames back would have the processor draw thousands of them a second.
-    if (options_.frames == 0) std::this_thread::sleep_until(start + shortest_frame);
 }
 
 void App::handle_events()

@@ -31,6 +31,8 @@ private:
     using SteadyClock = std::chrono::steady_clock;
 
     void frame();
+    void advance(double seconds, FrameTimes& times);
+    void show(FrameTimes& times);
     void handle_events();
     void handle(const SDL_Event& event);
     bool is_over_panel(Vec2 point) const;

@@ -75,41 +75,45 @@ scenes::ParameterValues read_settings(const std::vector<std::string>& settings, 
     return values;
 }
 
-} // namespace
-
-std::optional<Options> read_options(const std::vector<std::string>& arguments, std::ostream& out)
+/// What is read by hand, since CLI11's own errors would say less.
+struct Words
 {
-    Options options;
-    options.scene = scenes::all_scenes().front().name;
     std::vector<std::string> settings;
     std::string size;
     std::string seed = "1";
     std::string theme = "dark";
     std::string palette = "scene";
     bool hides_panels = false;
+};
 
-    CLI::App app("Carom's gallery: scenes to play with, and a look inside the engine.", "carom-gallery");
-    app.set_version_flag("--version", std::string("carom-gallery ") + CAROM_VERSION);
-    app.footer(notes);
-    app.add_option("--scene", options.scene, "The scene to open")->type_name("NAME")->capture_default_str();
-    app.add_option("--set", settings, "Set a parameter of the scene; may be given again")
-        ->type_name("NAME=VALUE")
-        ->take_all()
-        ->allow_extra_args(false);
-    app.add_option("--seed", seed, "Equal seeds give equal scenes")->type_name("S")->capture_default_str();
-    app.add_option("--size", size, "Size of the window; 1600x900 unless the screen is smaller")->type_name("WxH");
-    app.add_option("--theme", theme, "dark or light")->type_name("NAME")->capture_default_str();
-    app.add_option("--palette", palette, "scene, or safe for colours that colour-blind people can tell apart")
+void add_looks(CLI::App& app, Options& options, Words& words)
+{
+    app.add_option("--size", words.size, "Size of the window; 1600x900 unless the screen is smaller")->type_name("WxH");
+    app.add_option("--theme", words.theme, "dark or light")->type_name("NAME")->capture_default_str();
+    app.add_option("--palette", words.palette, "scene, or safe for colours that colour-blind people can tell apart")
         ->type_name("NAME")
         ->capture_default_str();
     app.add_option("--show", options.shown, "Draw more: " + overlay_names() + "; may be given again")
         ->type_name("NAME")
         ->take_all()
         ->allow_extra_args(false);
-    app.add_flag("--no-panels", hides_panels, "Begin with the scene alone; Tab brings the panels");
+    app.add_flag("--no-panels", words.hides_panels, "Begin with the scene alone; Tab brings the panels");
     app.add_option("--tab", options.tab, "Begin with this tab of the panel on the right")
         ->type_name("NAME")
         ->check(CLI::IsMember(std::vector<std::string>(tab_names.begin(), tab_names.end())));
+}
+
+void add_all(CLI::App& app, Options& options, Words& words)
+{
+    app.set_version_flag("--version", std::string("carom-gallery ") + CAROM_VERSION);
+    app.footer(notes);
+    app.add_option("--scene", options.scene, "The scene to open")->type_name("NAME")->capture_default_str();
+    app.add_option("--set", words.settings, "Set a parameter of the scene; may be given again")
+        ->type_name("NAME=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--seed", words.seed, "Equal seeds give equal scenes")->type_name("S")->capture_default_str();
+    add_looks(app, options, words);
     app.add_option("--frames", options.frames, "End after so many frames")
         ->type_name("N")
         ->check(CLI::Range(1, 1'000'000'000))
@@ -123,6 +127,28 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
     app.add_flag("--json", options.is_json, "Print the times as one JSON object");
     app.add_option("--widgets", options.widgets, "Keep a map of where each widget lies, for programs that drive this one")
         ->type_name("FILE.json");
+}
+
+/// @throws BadUsage, SceneError
+void read_words(const Words& words, Options& options)
+{
+    options.seed = read_seed(words.seed);
+    options.theme = is_second("--theme", words.theme, "dark", "light") ? ThemeKind::Light : ThemeKind::Dark;
+    options.palette = is_second("--palette", words.palette, "scene", "safe") ? Palette::ColorBlindSafe : Palette::Scene;
+    if (!words.size.empty()) read_size(words.size, options);
+    options.values = read_settings(words.settings, scenes::find_scene(options.scene));
+    options.has_panels = !words.hides_panels;
+}
+
+} // namespace
+
+std::optional<Options> read_options(const std::vector<std::string>& arguments, std::ostream& out)
+{
+    Options options;
+    options.scene = scenes::all_scenes().front().name;
+    Words words;
+    CLI::App app("Carom's gallery: scenes to play with, and a look inside the engine.", "carom-gallery");
+    add_all(app, options, words);
     try
     {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse
@@ -136,12 +162,7 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
     {
         throw BadUsage(std::string(error.what()) + "; --help tells more");
     }
-    options.seed = read_seed(seed);
-    options.theme = is_second("--theme", theme, "dark", "light") ? ThemeKind::Light : ThemeKind::Dark;
-    options.palette = is_second("--palette", palette, "scene", "safe") ? Palette::ColorBlindSafe : Palette::Scene;
-    if (!size.empty()) read_size(size, options);
-    options.values = read_settings(settings, scenes::find_scene(options.scene));
-    options.has_panels = !hides_panels;
+    read_words(words, options);
     for (const std::string& name : options.shown) find_overlay(name); // refuses unknown ones before a window opens
     if (!options.screenshot.empty() && options.frames == 0) options.frames = 120;
     if (options.inside >= 0 && options.frames == 0) throw BadUsage("--inside needs --frames");

@@ -134,6 +134,7 @@ void Session::advance(double elapsed)
     constexpr double longest = 0.05; // what a frame may spend on steps [s]: the window must stay usable
     const SteadyClock::time_point start = SteadyClock::now();
     const double time_before = scene_->time();
+    step_seconds_ = 0;
     const int due = is_inside() ? 0 : clock_.advance(elapsed, static_cast<double>(scene_->time_step()));
     for (int i = 0; i < due; ++i)
     {
@@ -144,9 +145,11 @@ void Session::advance(double elapsed)
             break;
         }
         if (i + 1 == due) keep_before();
-        if (!step(nullptr)) break;
+        const SteadyClock::time_point step_start = SteadyClock::now();
+        const bool has_stepped = step(nullptr);
+        step_seconds_ += seconds_since(step_start);
+        if (!has_stepped) break;
     }
-    step_seconds_ = seconds_since(start);
     measure(elapsed, scene_->time() - time_before);
 }
 

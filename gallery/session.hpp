@@ -52,7 +52,7 @@ public:
     BodyId watched() const { return watched_; }
     /// Between two steps, as the picture is; none when the body is gone.
     std::optional<Vec2> watched_place() const;
-    double step_seconds() const { return step_seconds_; } ///< of the last advance()
+    double step_seconds() const { return step_seconds_; } ///< that steps took in the last advance()
     double real_time_factor() const { return factor_; }   ///< simulated seconds in a second
 
     // A look inside of a step, moment by moment.

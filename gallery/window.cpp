@@ -55,13 +55,30 @@ std::string found_opengl(SDL_Window* window)
     return found;
 }
 
+/// Whether SDL draws where nobody sees it.
+bool is_offscreen()
+{
+    const char* const driver = SDL_GetCurrentVideoDriver();
+    return driver && (std::strcmp(driver, "offscreen") == 0 || std::strcmp(driver, "dummy") == 0);
+}
+
+/// As much of the size as the screen has room for; without a screen all of it.
+SDL_Point fitted(int width, int height)
+{
+    SDL_Rect screen{};
+    const bool is_known = !is_offscreen() && SDL_GetDisplayUsableBounds(0, &screen) == 0 && screen.w > 0 && screen.h > 0;
+    if (!is_known) return {std::max(width, 1), std::max(height, 1)};
+    return {std::clamp(width, 1, screen.w), std::clamp(height, 1, screen.h)};
+}
+
 /// @throws Failure
 SDL_Window* open_window(const WindowOptions& options)
 {
     set_attributes(true);
     const Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-    SDL_Window* const window = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                                std::max(options.width, 1), std::max(options.height, 1), flags);
+    const SDL_Point size = fitted(options.width, options.height);
+    SDL_Window* const window =
+        SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.x, size.y, flags);
     if (!window) throw Failure(std::string("can't open a window with OpenGL: ") + SDL_GetError() + ". " + driver_remedy);
     return window;
 }
@@ -80,13 +97,6 @@ SDL_GLContext open_gl(SDL_Window* window)
         throw Failure("OpenGL 3.3 is needed; found " + found + ". " + driver_remedy);
     }
     return context;
-}
-
-/// Whether SDL draws where nobody sees it.
-bool is_offscreen()
-{
-    const char* const driver = SDL_GetCurrentVideoDriver();
-    return driver && (std::strcmp(driver, "offscreen") == 0 || std::strcmp(driver, "dummy") == 0);
 }
 
 float pixels_in_a_point(SDL_Window* window)

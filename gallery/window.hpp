@@ -18,8 +18,8 @@ namespace carom::gallery
 struct WindowOptions
 {
     std::string title = "Carom";
-    int width = 1280;  ///< [points], >= 1
-    int height = 720;  ///< [points], >= 1
+    int width = 1280;  ///< [points], >= 1; no more than the screen has
+    int height = 720;  ///< [points], >= 1; no more than the screen has
     bool vsync = true; ///< present() waits for the screen
 };
 
