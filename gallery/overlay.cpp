@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -232,17 +232,41 @@ private:
     DrawList& list_;
 };
 
-/// Where names would lie on each other, the first one stays: nobody could read them, and thousands take most of a second to draw.
+/// Keeps names off each other: nobody could read them, and thousands take most of a second to draw.
+class NameRoom
+{
+public:
+    /// @param height of the part of the world that is seen [m]
+    explicit NameRoom(float height) : size_{0.05f * height, 0.02f * height} {}
+
+    /// @return whether the place was free
+    bool take(Vec2 at)
+    {
+        const float column = std::floor(at.x / size_.x);
+        const float row = std::floor(at.y / size_.y);
+        for (const float x : {column - 1, column, column + 1})
+            for (const float y : {row - 1, row, row + 1})
+                if (const auto near = taken_.find({x, y}); near != taken_.end() && covers(near->second, at)) return false;
+        taken_[{column, row}] = at;
+        return true;
+    }
+
+private:
+    bool covers(Vec2 a, Vec2 b) const { return std::abs(a.x - b.x) < size_.x && std::abs(a.y - b.y) < size_.y; }
+
+    Vec2 size_;                                     ///< of a short name [m]
+    std::map<std::pair<float, float>, Vec2> taken_; ///< by cells of this size, each of which has room for one
+};
+
 void draw_names(const World& world, const Scenery& scenery, float height, DrawList& list)
 {
-    const Vec2 room = {0.045f * height, 0.02f * height}; // of a short name
-    std::set<std::pair<float, float>> taken;
+    NameRoom room(height);
     for (const DebugBody& body : scenery.bodies)
     {
         const std::string_view name = world.body(body.id).name();
         if (name.empty() && body.type == BodyType::Static) continue;
         const Vec2 at = body.center_of_mass;
-        if (!taken.emplace(std::floor(at.x / room.x), std::floor(at.y / room.y)).second) continue;
+        if (!room.take(at)) continue;
         std::string text = name.empty() ? "#" + std::to_string(body.id.index) : std::string(name);
         list.text({.text = std::move(text), .size = 13, .place = scenes::Place::World, .position = at});
     }
