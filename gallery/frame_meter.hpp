@@ -1,8 +1,7 @@
 // Where the time of a frame goes: steps, drawing, panels.
 #pragma once
 
-#include "gallery/history.hpp"
-
+#include <array>
 #include <cstdint>
 
 namespace carom::gallery
@@ -27,39 +26,28 @@ public:
     {
         ++frames_;
         const double share = frames_ < window ? 1.0 / static_cast<double>(frames_) : 1.0 / window;
-        const auto blend = [share](double& mean, double value) { mean += share * (value - mean); };
-        blend(recent_.step, frame.step);
-        blend(recent_.draw, frame.draw);
-        blend(recent_.panels, frame.panels);
-        blend(recent_.present, frame.present);
-        blend(recent_.draw_gpu, frame.draw_gpu);
-        blend(recent_.panels_gpu, frame.panels_gpu);
-        blend(recent_.whole, frame.whole);
-        sum_.step += frame.step;
-        sum_.draw += frame.draw;
-        sum_.panels += frame.panels;
-        sum_.present += frame.present;
-        sum_.draw_gpu += frame.draw_gpu;
-        sum_.panels_gpu += frame.panels_gpu;
-        sum_.whole += frame.whole;
-        whole_.add(frame.whole);
+        for (double FrameTimes::* const part : parts)
+        {
+            recent_.*part += share * (frame.*part - recent_.*part);
+            sum_.*part += frame.*part;
+        }
     }
 
     const FrameTimes& recent() const { return recent_; } ///< means over the last frames
     FrameTimes mean() const                              ///< over all frames
     {
-        const double n = frames_ > 0 ? static_cast<double>(frames_) : 1;
-        return {sum_.step / n, sum_.draw / n, sum_.panels / n, sum_.present / n, sum_.draw_gpu / n, sum_.panels_gpu / n, sum_.whole / n};
+        FrameTimes mean;
+        for (double FrameTimes::* const part : parts) mean.*part = frames_ > 0 ? sum_.*part / static_cast<double>(frames_) : 0;
+        return mean;
     }
-    std::uint64_t frames() const { return frames_; }
-    const History& whole() const { return whole_; }
 
 private:
     static constexpr int window = 60;
+    static constexpr std::array parts = {&FrameTimes::step,     &FrameTimes::draw,       &FrameTimes::panels, &FrameTimes::present,
+                                         &FrameTimes::draw_gpu, &FrameTimes::panels_gpu, &FrameTimes::whole};
 
     FrameTimes recent_;
     FrameTimes sum_;
-    History whole_;
     std::uint64_t frames_ = 0;
 };
 

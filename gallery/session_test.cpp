@@ -87,11 +87,8 @@ TEST(Session, walks_through_steps_forwards_and_back)
     session.next_moment();
     EXPECT_EQ(session.film().step(), first + 1) << "the film is there already: no step is made anew";
     EXPECT_EQ(session.scene().world().step_count(), first + 1);
-    for (const StepMoment& when : {session.film().moments()[7].when})
-    {
-        EXPECT_EQ(when.stage, Stage::Solve);
-        EXPECT_EQ(when.substep, 0);
-    }
+    EXPECT_EQ(session.film().moments()[7].when.stage, Stage::Solve);
+    EXPECT_EQ(session.film().moments()[7].when.substep, 0);
     session.leave_inside();
     EXPECT_FALSE(session.is_inside());
 }

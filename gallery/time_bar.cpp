@@ -52,17 +52,21 @@ void speed_slider(Gallery& gallery)
 void rates(Gallery& gallery)
 {
     const scenes::Scene& scene = gallery.session.scene();
-    float hertz = scene.parameters().real("step_rate");
-    int substeps = scene.parameters().integer("substeps");
+    const scenes::ParameterInfo& rate = scenes::find_parameter(scene.info().parameters, "step_rate");
+    const scenes::ParameterInfo& parts = scenes::find_parameter(scene.info().parameters, "substeps");
+    float hertz = scene.parameters().real(rate.name);
+    int substeps = scene.parameters().integer(parts.name);
     ImGui::PushItemWidth(7 * ImGui::GetFontSize());
-    if (ImGui::SliderFloat("hertz", &hertz, 10, 1000, "%.0f /s", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-        gallery.session.set_parameter("step_rate", static_cast<double>(hertz));
+    if (ImGui::SliderFloat("hertz", &hertz, static_cast<float>(rate.min), static_cast<float>(rate.max), "%.0f /s",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+        gallery.session.set_parameter(rate.name, static_cast<double>(hertz));
     gallery.widgets.note("hertz");
     tip_of_last("steps in a second of simulated time");
     flow_to_slider(5, "substeps");
     ImGui::PushItemWidth(5 * ImGui::GetFontSize());
-    if (ImGui::SliderInt("substeps", &substeps, 1, 64, "%d", ImGuiSliderFlags_AlwaysClamp))
-        gallery.session.set_parameter("substeps", static_cast<std::int64_t>(substeps));
+    if (ImGui::SliderInt("substeps", &substeps, static_cast<int>(parts.min), static_cast<int>(parts.max), "%d",
+                         ImGuiSliderFlags_AlwaysClamp))
+        gallery.session.set_parameter(parts.name, static_cast<std::int64_t>(substeps));
     gallery.widgets.note("substeps");
     tip_of_last("parts into which the solver divides a step: more make piles stiffer");
     ImGui::PopItemWidth();

@@ -123,6 +123,11 @@ class LiveWindow(GalleryTest):
         g.until(lambda: not is_empty(g.shot()), "the scene")
         self.assertEqual(g.quit(), 0)
 
+    def test_a_window_is_no_larger_than_its_screen(self):
+        g = self.gallery("--scene", "arch", size=(3000, 2000))
+        size = g.window.get_geometry()
+        self.assertEqual((size.width, size.height), (1280, 800))
+
     def test_it_closes_with_its_window(self):
         g = self.gallery()
         delete = g.display.intern_atom("WM_DELETE_WINDOW")
