@@ -18,7 +18,7 @@ constexpr const char* const what_to_do = "Move the pointer over a body. Ctrl and
 /// A number that can be dragged or typed.
 bool number(const char* label, float& value, float speed, const char* format)
 {
-    return ImGui::DragFloat(label, &value, speed, 0, 0, format);
+    return is_meant(ImGui::DragFloat(label, &value, speed, 0, 0, format));
 }
 
 void motion(Gallery& gallery, Body body)
@@ -27,12 +27,13 @@ void motion(Gallery& gallery, Body body)
     float angle = body.angle();
     Vec2 velocity = body.linear_velocity();
     float spin = body.angular_velocity();
-    bool is_moved = ImGui::DragFloat2("position", &position.x, 0.05f, 0, 0, "%.3f m");
+    bool is_moved = is_meant(ImGui::DragFloat2("position", &position.x, 0.05f, 0, 0, "%.3f m"));
     gallery.widgets.note("body position");
     is_moved = number("angle", angle, 0.01f, "%.3f rad") || is_moved;
     if (is_moved) try_edit(gallery, [&] { body.set_transform(position, angle); });
     if (body.type() == BodyType::Static) return;
-    if (ImGui::DragFloat2("velocity", &velocity.x, 0.1f, 0, 0, "%.3f m/s")) try_edit(gallery, [&] { body.set_linear_velocity(velocity); });
+    if (is_meant(ImGui::DragFloat2("velocity", &velocity.x, 0.1f, 0, 0, "%.3f m/s")))
+        try_edit(gallery, [&] { body.set_linear_velocity(velocity); });
     gallery.widgets.note("body velocity");
     if (number("spin", spin, 0.05f, "%.3f rad/s")) try_edit(gallery, [&] { body.set_angular_velocity(spin); });
 }

@@ -15,17 +15,18 @@ void walk_buttons(Gallery& gallery)
 {
     Session& session = gallery.session;
     if (button(gallery, "< Back", "the moment before (left arrow)")) session.previous_moment();
-    ImGui::SameLine();
+    flow("Next >");
     if (button(gallery, "Next >", "the next moment; after the last one, the next step (right arrow)")) session.next_moment();
-    ImGui::SameLine();
+    const float slider_width = 14 * ImGui::GetFontSize();
+    flow(slider_width);
     auto index = static_cast<int>(session.moment());
     const int last = static_cast<int>(session.film().moments().size()) - 1;
-    ImGui::PushItemWidth(14 * ImGui::GetFontSize());
+    ImGui::PushItemWidth(slider_width);
     if (ImGui::SliderInt("##moment", &index, 0, last, "moment %d", ImGuiSliderFlags_AlwaysClamp))
         session.show_moment(static_cast<std::size_t>(index));
     gallery.widgets.note("moment");
     ImGui::PopItemWidth();
-    ImGui::SameLine();
+    flow("Leave");
     if (button(gallery, "Leave", "I or Esc")) session.leave_inside();
 }
 
@@ -40,8 +41,9 @@ void inside_panel(Gallery& gallery)
     char step[48];
     std::snprintf(step, sizeof step, "Step %llu: ", static_cast<unsigned long long>(film.step()));
     ImGui::TextUnformatted((step + title_of(moment)).c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", counts_of(moment).c_str());
+    const std::string counts = counts_of(moment);
+    flow(counts.c_str());
+    muted(counts);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(explanation_of(moment).c_str());
     ImGui::PopTextWrapPos();

@@ -138,6 +138,7 @@ void parameter_widget(Gallery& gallery, const ParameterInfo& info)
     else
         is_changed = number_widget(info, value);
     const bool is_let_go = ImGui::IsItemDeactivatedAfterEdit();
+    const bool acts = is_meant(is_changed);
     gallery.widgets.note("parameter " + info.name);
     tip_of_last(tip_of(info));
     ImGui::PopItemWidth();
@@ -145,7 +146,7 @@ void parameter_widget(Gallery& gallery, const ParameterInfo& info)
 
     const bool waits = is_number && info.applies == Applies::OnRestart;
     if (waits && is_changed) gallery.edited = {info.name, value};
-    if (waits ? is_let_go : is_changed)
+    if (waits ? is_let_go : acts)
     {
         gallery.edited.reset();
         session.set_parameter(info.name, value);

@@ -41,6 +41,12 @@ void tip_of_last(const std::string& words)
     ImGui::EndTooltip();
 }
 
+bool is_meant(bool is_changed)
+{
+    const bool is_typing = ImGui::IsItemActive() && ImGui::GetIO().WantTextInput;
+    return is_changed && !is_typing;
+}
+
 void plot(const char* id, const History& history, float height)
 {
     const auto value_at = [](void* data, int i) { return (*static_cast<const History*>(data))[static_cast<std::size_t>(i)]; };

@@ -21,6 +21,9 @@ void flow(float width);
 void flow(const char* label);
 /// Words that appear while the pointer rests on the widget before.
 void tip_of_last(const std::string& words);
+/// Whether a number acts now: at once when it is dragged, but only when it is complete when it is typed ("1" and "10" are no wishes of who types 100).
+/// @param is_changed what the widget said, which must come right before
+bool is_meant(bool is_changed);
 /// A line of a history.
 void plot(const char* id, const History& history, float height);
 /// A cell of a table: to the left, to the right, a number to the right.

@@ -198,6 +198,18 @@ class Inspector(GalleryTest):
         g.go_on()
         g.until(lambda: (where(g.shot(), self.color, 6) or (1e3, 0))[0] + g.scene_area()[0] < self.place[0] - 60, "the body to fly left")
 
+    def test_a_typed_number_acts_when_it_is_complete(self):
+        g = self.g
+        before = g.still_shot()
+        place = g.widget("body position")
+        g.click_widget("body position", hold=["Control_L"], at=0.1)
+        for letter in "4.5":
+            g.type(letter)
+            g.move((place[0] - 40, place[3] + 40))
+            self.assertEqual(changed(before, g.still_shot()), 0, "no part of a number is one")
+        g.key("Return")
+        g.until(lambda: changed(before, g.shot()) > 100, "the body to be elsewhere")
+
     def test_a_refused_value_is_said_and_changes_nothing(self):
         g = self.g
         before = g.still_shot()
