@@ -1,0 +1,18 @@
+// Reads scene files.
+#pragma once
+
+#include "lab/scene_file/model.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace carom::lab
+{
+
+/// @throws SceneFileError when it can't be read, is too large, or holds what is no scene
+SceneFile read_scene_file(const std::filesystem::path& path);
+/// @param name of the source, for messages
+SceneFile parse_scene_file(std::string_view text, const std::string& name);
+
+} // namespace carom::lab
