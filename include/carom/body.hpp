@@ -73,6 +73,7 @@ public:
     float angular_velocity() const;           ///< [rad/s]
     Vec2 velocity_at(Vec2 world_point) const; ///< of the body's material at a world point, which must be finite [m/s]
     MassData mass_data() const;               ///< zero mass for static and kinematic bodies unless set_mass_data gave one
+    bool has_own_mass() const;                ///< set_mass_data() overrides what the shapes give
     float linear_damping() const;
     float angular_damping() const;
     float gravity_scale() const;
@@ -151,6 +152,9 @@ public:
     const Material& material() const; ///< valid as long as geometry()
     const Filter& filter() const;     ///< valid as long as geometry()
     bool is_sensor() const;
+    bool contact_events() const;
+    bool persist_events() const;
+    bool sensor_events() const;
     bool hit_events() const;
     bool pre_solve() const;
     Aabb bounds() const; ///< in the world [m]

@@ -132,6 +132,8 @@ public:
     FieldId add_field(const Field& field);
     void set_field(FieldId id, const Field& field);
     void remove_field(FieldId id);
+    Field field(FieldId id) const;       ///< throws UsageError on a stale id
+    std::vector<FieldId> fields() const; ///< ordered by index
     /// Acceleration that gravity and fields give to a body of gravity scale 1 at a point [m/s^2], pull by every source included.
     Vec2 gravity_at(Vec2 point) const;
 

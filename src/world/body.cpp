@@ -48,6 +48,8 @@ Vec2 BodyView::velocity_at(Vec2 world_point) const
 
 MassData BodyView::mass_data() const { return world_->bodies.records[require_body(*world_, id_, "mass_data")].mass; }
 
+bool BodyView::has_own_mass() const { return world_->bodies.records[require_body(*world_, id_, "has_own_mass")].has_mass_override; }
+
 float BodyView::linear_damping() const { return world_->bodies.records[require_body(*world_, id_, "linear_damping")].linear_damping; }
 
 float BodyView::angular_damping() const { return world_->bodies.records[require_body(*world_, id_, "angular_damping")].angular_damping; }

@@ -51,6 +51,12 @@ const Filter& ShapeView::filter() const { return world_->shapes.records[require_
 
 bool ShapeView::is_sensor() const { return world_->shapes.records[require_shape(*world_, id_, "is_sensor")].is_sensor; }
 
+bool ShapeView::contact_events() const { return world_->shapes.records[require_shape(*world_, id_, "contact_events")].contact_events; }
+
+bool ShapeView::persist_events() const { return world_->shapes.records[require_shape(*world_, id_, "persist_events")].persist_events; }
+
+bool ShapeView::sensor_events() const { return world_->shapes.records[require_shape(*world_, id_, "sensor_events")].sensor_events; }
+
 bool ShapeView::hit_events() const { return world_->shapes.records[require_shape(*world_, id_, "hit_events")].hit_events; }
 
 bool ShapeView::pre_solve() const { return world_->shapes.records[require_shape(*world_, id_, "pre_solve")].pre_solve; }

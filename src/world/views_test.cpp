@@ -170,8 +170,10 @@ TEST_F(ViewsTest, MassFollowsShapesDensityGeometryAndOverride)
     body.set_mass_data({.mass = 10, .center = {0, 1}, .inertia = 2});
     world.destroy_shape(left);
     EXPECT_EQ(body.mass_data().mass, 10) << "an override outlives the shapes";
+    EXPECT_TRUE(body.has_own_mass());
     EXPECT_EQ(body.center_of_mass(), (Vec2{0, 1}));
     body.reset_mass_data();
+    EXPECT_FALSE(body.has_own_mass());
     EXPECT_FLOAT_EQ(body.mass_data().mass, 6);
     EXPECT_FLOAT_EQ(body.center_of_mass().x, 2);
     world.destroy_shape(right);
@@ -203,6 +205,13 @@ TEST_F(ViewsTest, AShapeReadsBackWhatItWasMadeOfAndTakesChanges)
     EXPECT_EQ(view.material(), material);
     EXPECT_EQ(view.filter(), filter);
     EXPECT_TRUE(view.is_sensor());
+    EXPECT_TRUE(view.contact_events() && view.sensor_events());
+    EXPECT_FALSE(view.persist_events());
+    const ShapeView silent = std::as_const(world).shape(
+        world.create_shape(body, circle(1), {.contact_events = false, .persist_events = true, .sensor_events = false}));
+    EXPECT_FALSE(silent.contact_events() || silent.sensor_events());
+    EXPECT_TRUE(silent.persist_events());
+    world.destroy_shape(silent.id());
     EXPECT_EQ(view.bounds(), (Aabb{{8, -2}, {12, 2}}));
     EXPECT_EQ(view.user_data(), 9u);
     EXPECT_TRUE(view.contains({11, 1}));

@@ -274,6 +274,21 @@ void World::remove_field(FieldId id)
     detail::wake_all(world);
 }
 
+Field World::field(FieldId id) const
+{
+    const WorldState& world = state("field");
+    return world.fields.fields[detail::require_field(world, id, "field")];
+}
+
+std::vector<FieldId> World::fields() const
+{
+    const WorldState& world = state("fields");
+    std::vector<FieldId> ids;
+    for (std::uint32_t slot = 0; slot < world.fields.slots.size(); ++slot)
+        if (world.fields.slots.is_live(slot)) ids.push_back({slot, world.fields.slots.generation(slot), world.world});
+    return ids;
+}
+
 Vec2 World::gravity_at(Vec2 point) const
 {
     const WorldState& world = state("gravity_at");

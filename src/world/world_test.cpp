@@ -88,6 +88,19 @@ TEST(World, AnIdOfOneWorldIsNotTakenForAnothers)
     const FieldId field = first.add_field(UniformField{{1, 0}});
     second.add_field(UniformField{{1, 0}});
     EXPECT_THROW(second.remove_field(field), UsageError);
+    EXPECT_THROW(second.field(field), UsageError);
+}
+
+TEST(World, FieldsReadBack)
+{
+    World world;
+    const FieldId first = world.add_field(UniformField{{1, 2}});
+    const FieldId second = world.add_field(PointField{.center = {3, 4}, .strength = 5});
+    EXPECT_EQ(world.fields(), (std::vector{first, second}));
+    EXPECT_EQ(world.field(second), Field(PointField{.center = {3, 4}, .strength = 5}));
+    world.remove_field(first);
+    EXPECT_EQ(world.fields(), std::vector{second});
+    EXPECT_THROW(world.field(first), UsageError);
 }
 
 TEST(World, OneWorldDoesNotShowInAnother)
