@@ -191,6 +191,7 @@ SceneInfo bridge_scene()
             real("density", {0.1, 1, 10}, "kg/m^2", Applies::Live, "of the next load; planks have 4"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Bridge>(setup); },
+        .own_code = "bodies that fall out of the scene are taken away",
     };
 }
 

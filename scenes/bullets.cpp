@@ -181,6 +181,7 @@ SceneInfo bullets_scene()
             integer("bullets", {1, 60, 1000}, "", Applies::Live, "most at a time; the oldest go"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Bullets>(setup); },
+        .own_code = "volleys are fired, and bullets that leave the field are taken away",
     };
 }
 

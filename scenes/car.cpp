@@ -305,6 +305,7 @@ SceneInfo car_scene()
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Car>(setup); },
         .drags_bodies = true,
+        .own_code = "the driver stops at the goal, and starts again when the car is stuck",
     };
 }
 

@@ -198,6 +198,7 @@ SceneInfo chain_terrain_scene()
             integer("bodies", {0, 80, 2000}, "", Applies::OnRestart, "that rain down"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<ChainTerrain>(setup); },
+        .own_code = "bodies that fall out of the scene are taken away",
     };
 }
 

@@ -283,6 +283,7 @@ SceneInfo character_scene()
             integer("crates", {0, 4, 20}, "", Applies::OnRestart, "in two heaps"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<CharacterCourse>(setup); },
+        .own_code = "the player walks, and platforms are driven",
     };
 }
 

@@ -247,6 +247,7 @@ SceneInfo gravity_scene()
             real("friction", {0, 0.6, 2}, "", Applies::Live, "of the next shape: Coulomb's coefficient"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Gravity>(setup); },
+        .own_code = "bodies that fall out of the scene are taken away",
     };
 }
 

@@ -21,16 +21,11 @@ struct Exhibit
     const char* what;
 };
 constexpr std::array exhibits = {
-    Exhibit{"Revolute", "motor, limits; free pin"},
-    Exhibit{"Prismatic", "motor; spring on a rail"},
-    Exhibit{"Distance", "rod, rope, spring"},
-    Exhibit{"Weld", "stiff and soft"},
-    Exhibit{"Wheel", "suspension and motor"},
-    Exhibit{"Motor", "led to a pose"},
-    Exhibit{"Mouse", "pulled to a point"},
-    Exhibit{"Gear", "two wheels and a rack"},
-    Exhibit{"Pulley", "one rope, two weights"},
-    Exhibit{"Break", "a spring that tears"},
+    Exhibit{"Revolute", "motor, limits; free pin"}, Exhibit{"Prismatic", "motor; spring on a rail"},
+    Exhibit{"Distance", "rod, rope, spring"},       Exhibit{"Weld", "stiff and soft"},
+    Exhibit{"Wheel", "suspension and motor"},       Exhibit{"Motor", "led to a pose"},
+    Exhibit{"Mouse", "pulled to a point"},          Exhibit{"Gear", "two wheels and a rack"},
+    Exhibit{"Pulley", "one rope, two weights"},     Exhibit{"Break", "a spring that tears"},
 };
 
 constexpr Color red = rgb(0.86f, 0.38f, 0.34f);
@@ -515,6 +510,7 @@ SceneInfo joints_scene()
         .parameters = with_common_parameters({}),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Joints>(setup); },
         .drags_bodies = true,
+        .own_code = "motors and targets are driven, and parts that are thrown out come back",
     };
 }
 

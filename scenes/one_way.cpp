@@ -236,6 +236,7 @@ SceneInfo one_way_scene()
             integer("jumpers", {0, 24, 300}, "", Applies::OnRestart, "at the start"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<OneWay>(setup); },
+        .own_code = "things jump, and hooks let them through",
     };
 }
 

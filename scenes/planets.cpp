@@ -309,6 +309,7 @@ SceneInfo planets_scene()
             boolean("trails", true, Applies::Live, "draw where planets have been, for up to 2000 planets"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Planets>(setup); },
+        .own_code = "planets that are lost are taken away",
     };
 }
 

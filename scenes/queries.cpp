@@ -248,6 +248,7 @@ SceneInfo queries_scene()
             real("blast", {-50, 6, 50}, "N s/m", Applies::Live, "impulse of an explosion on each metre of width"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Queries>(setup); },
+        .own_code = "bursts push the bodies",
     };
 }
 

@@ -234,6 +234,7 @@ SceneInfo ragdolls_scene()
             BroadPhaseType::Tree, 8),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Ragdolls>(setup); },
         .drags_bodies = true,
+        .own_code = "further dolls are dropped, and lost ones taken away",
     };
 }
 

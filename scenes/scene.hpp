@@ -55,6 +55,8 @@ struct SceneInfo
     bool is_calm = false;
     /// Whether the left button takes hold of bodies in the scene itself; a front end that offers it for every scene then leaves it to this one.
     bool drags_bodies = false;
+    /// What the scene's own code does to the world during a run, without anybody's input; empty when the world as it is made is the whole scene.
+    std::string own_code = {};
 };
 
 struct PointerEvent

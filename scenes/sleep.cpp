@@ -143,6 +143,7 @@ SceneInfo sleep_scene()
             boolean("balls", true, Applies::Live, "a ball falls every five seconds"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Sleep>(setup); },
+        .own_code = "balls are dropped",
     };
 }
 

@@ -273,6 +273,7 @@ SceneInfo tiles_scene()
             real("speed", {1, 15, 50}, "m/s", Applies::Live, "with which the racers start"),
         }),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Tiles>(setup); },
+        .own_code = "racers that reach the end start again",
     };
 }
 

@@ -207,6 +207,7 @@ SceneInfo triggers_scene()
             },
             BroadPhaseType::Quadtree),
         .make = [](const SceneSetup& setup) -> std::unique_ptr<Scene> { return std::make_unique<Triggers>(setup); },
+        .own_code = "a body is led around, and others turn back at the edge",
     };
 }
 
