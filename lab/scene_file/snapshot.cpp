@@ -1,0 +1,209 @@
+// Asks a world for all that a scene file holds, and plays the file to see whether it holds all.
+#include "lab/scene_file/snapshot.hpp"
+
+#include "lab/scene_file/check.hpp"
+#include "lab/scene_file/player.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+namespace carom::lab
+{
+
+namespace
+{
+
+bool are_same_bits(Rot a, Rot b)
+{
+    return std::bit_cast<std::uint32_t>(a.c) == std::bit_cast<std::uint32_t>(b.c) &&
+           std::bit_cast<std::uint32_t>(a.s) == std::bit_cast<std::uint32_t>(b.s);
+}
+
+/// An angle whose rotation is q, to the last bit when there is one: the angle from which q was made, or another that gives the same.
+float exact_angle(Rot q)
+{
+    const double principal = std::atan2(double{q.s}, double{q.c});
+    constexpr int most_turns = 3;
+    constexpr int most_neighbors = 64; // the engine's sine is right to a few units in the last place
+    for (int turns = 0; turns <= 2 * most_turns; ++turns)
+    {
+        const int turn = turns % 2 == 0 ? turns / 2 : -(turns + 1) / 2;
+        float up = static_cast<float>(principal + turn * 2 * 3.14159265358979323846);
+        float down = up;
+        for (int i = 0; i < most_neighbors; ++i)
+        {
+            if (are_same_bits(rotation(up), q)) return up;
+            if (are_same_bits(rotation(down), q)) return down;
+            up = std::nextafter(up, 1e6f);
+            down = std::nextafter(down, -1e6f);
+        }
+    }
+    return static_cast<float>(principal);
+}
+
+FileShape shape_from(const ShapeView& shape)
+{
+    return {.geometry = shape.geometry(),
+            .def = {.density = shape.density(),
+                    .material = shape.material(),
+                    .filter = shape.filter(),
+                    .is_sensor = shape.is_sensor(),
+                    .contact_events = shape.contact_events(),
+                    .persist_events = shape.persist_events(),
+                    .sensor_events = shape.sensor_events(),
+                    .hit_events = shape.hit_events(),
+                    .pre_solve = shape.pre_solve(),
+                    .user_data = shape.user_data()}};
+}
+
+FileChain chain_from(const World& world, const ChainView& chain)
+{
+    const std::vector<ShapeId> segments = chain.segments();
+    const ShapeView first = world.shape(segments.front());
+    FileChain file;
+    file.def.is_loop = chain.is_loop();
+    file.def.sides = chain.sides();
+    file.def.filter = first.filter();
+    file.def.contact_events = first.contact_events();
+    file.def.persist_events = first.persist_events();
+    file.def.sensor_events = first.sensor_events();
+    file.def.hit_events = first.hit_events();
+    file.def.pre_solve = first.pre_solve();
+    file.def.user_data = chain.user_data();
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+        const Segment segment = std::get<Segment>(world.shape(segments[i]).geometry());
+        file.points.push_back(segment.p1);
+        if (i + 1 == segments.size() && !chain.is_loop()) file.points.push_back(segment.p2);
+        file.materials.push_back(chain.material(static_cast<int>(i)));
+    }
+    const auto is_first = [&](const Material& material) { return material == file.materials.front(); };
+    if (std::all_of(file.materials.begin(), file.materials.end(), is_first))
+        file.materials.resize(file.materials.front() == Material{} ? 0 : 1);
+    return file;
+}
+
+FileBody body_from(const World& world, const BodyView& body)
+{
+    FileBody file{.def = {.type = body.type(),
+                          .position = body.position(),
+                          .angle = exact_angle(body.transform().q),
+                          .linear_velocity = body.linear_velocity(),
+                          .angular_velocity = body.angular_velocity(),
+                          .linear_damping = body.linear_damping(),
+                          .angular_damping = body.angular_damping(),
+                          .gravity_scale = body.gravity_scale(),
+                          .locks = body.locks(),
+                          .can_sleep = body.can_sleep(),
+                          .is_bullet = body.is_bullet(),
+                          .is_attractor = body.is_attractor(),
+                          .is_enabled = body.is_enabled(),
+                          .user_data = body.user_data()},
+                  .name = std::string(body.name()),
+                  .is_awake = body.type() == BodyType::Static || !body.is_enabled() || body.is_awake()};
+    if (body.has_own_mass()) file.mass_data = body.mass_data();
+    ChainId last;
+    for (const ShapeId id : body.shapes())
+    {
+        const ShapeView shape = world.shape(id);
+        if (!shape.chain())
+            file.shapes.push_back(shape_from(shape));
+        else if (shape.chain() != last)
+            file.chains.push_back(chain_from(world, world.chain(last = shape.chain())));
+    }
+    return file;
+}
+
+std::vector<FileJoint> joints_from(const World& world, const std::map<BodyId, int>& numbers)
+{
+    std::vector<FileJoint> joints;
+    for (const JointId id : world.joints())
+    {
+        const JointView joint = world.joint(id);
+        FileJoint file{.body_b = numbers.at(joint.body_b()),
+                       .def = {.frame_a = joint.frame_a(),
+                               .frame_b = joint.frame_b(),
+                               .collide_connected = joint.collide_connected(),
+                               .break_force = joint.break_force(),
+                               .break_torque = joint.break_torque(),
+                               .user_data = joint.user_data()},
+                       .spec = joint.spec()};
+        if (joint.body_a()) file.body_a = numbers.at(joint.body_a());
+        joints.push_back(file);
+    }
+    return joints;
+}
+
+/// What can be known to be missing from a file of this world.
+std::vector<std::string> losses_of(const World& world)
+{
+    std::vector<std::string> notes;
+    if (world.hooks()) notes.emplace_back("The world's hooks, which decide on contacts, are not in the file.");
+    if (world.step_count() > 0)
+        notes.emplace_back(
+            "The world had been stepped: its contacts with their impulses, and how long bodies have rested, are not in the file.");
+    const auto has_force = [&](BodyId id) { return world.body(id).force() != Vec2{} || world.body(id).torque() != 0; };
+    const std::vector<BodyId> bodies = world.bodies();
+    if (std::any_of(bodies.begin(), bodies.end(), has_force)) notes.emplace_back("Forces that wait for the next step are not in the file.");
+    return notes;
+}
+
+/// Plays the file for no step and compares: it says whether anything is missing that losses_of() does not know.
+void compare(SceneFile& file, const World& world)
+{
+    check(file, "the scene");
+    World again(FilePlayback::world_def(file));
+    const std::string name = "the scene";
+    FilePlayback(file, name).begin(again);
+    if (again.hash() == world.hash() || !file.notes.empty()) return;
+    file.notes.emplace_back(
+        "The scene goes on to slightly other numbers than the world that was written: there, things were made in another order "
+        "than that of the file, or some were destroyed before.");
+}
+
+SceneFile parts_of(const World& world)
+{
+    SceneFile file;
+    file.world = {.gravity = world.gravity(),
+                  .continuous = world.is_continuous(),
+                  .sleep = world.sleep_tuning(),
+                  .solver = world.solver_tuning(),
+                  .mixing = world.mixing(),
+                  .hit_speed = world.hit_speed()};
+    for (const FieldId field : world.fields()) file.world.fields.push_back(world.field(field));
+    std::map<BodyId, int> numbers;
+    for (const BodyId id : world.bodies())
+    {
+        numbers.emplace(id, static_cast<int>(numbers.size()));
+        file.bodies.push_back(body_from(world, world.body(id)));
+    }
+    file.joints = joints_from(world, numbers);
+    file.notes = losses_of(world);
+    return file;
+}
+
+} // namespace
+
+SceneFile snapshot_of(const World& world)
+{
+    SceneFile file = parts_of(world);
+    compare(file, world);
+    return file;
+}
+
+SceneFile snapshot_of(const scenes::Scene& scene)
+{
+    SceneFile file = parts_of(scene.world());
+    file.name = scene.info().name;
+    file.description = scene.info().description;
+    file.time_step = scene.time_step();
+    file.substeps = scene.parameters().integer("substeps");
+    file.view = FileView{scene.camera().center, scene.camera().height};
+    compare(file, scene.world());
+    if (!scene.info().own_code.empty()) file.notes.push_back("The scene's own code is not in the file: " + scene.info().own_code + ".");
+    return file;
+}
+
+} // namespace carom::lab
