@@ -2,9 +2,11 @@
 #include "cli/program.hpp"
 
 #include "cli/errors.hpp"
+#include "cli/export_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/scene_list.hpp"
 #include "cli/trace_command.hpp"
+#include "lab/scene_file/model.hpp"
 #include "scenes/parameters.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +27,8 @@ Examples:
   carom run collisions --set circles=1000 --set boxes=1000 --still collisions.png
   carom run gravity --steps 600 --animation gravity.mp4
   carom run gravity --trace gravity.json
+  carom export large_pyramid pyramid.json
+  carom run pyramid.json --still pyramid.png
   carom trace gravity.json --memory memory.png)";
 
 const char* const run_notes = R"(
@@ -65,19 +69,18 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
 {
     CLI::App* const command = app.add_subcommand("run", "Run a scene without a window and measure it");
     const auto request = std::make_shared<RunRequest>();
-    command->add_option("scene", request->scene, "Name of the scene; `carom scenes` lists them")->required();
+    command->add_option("scene", request->scene, "Name of a scene, of `carom scenes` or `carom export --list`, or a scene file: FILE.json")
+        ->required();
     command->add_option("--set", request->settings, "Set a parameter of the scene; may be given again")
         ->type_name("NAME=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--steps", request->steps, "Number of steps")
+    command->add_option("--steps", request->steps, "Number of steps; by default 600, or as many as the scene is meant for")
         ->type_name("N")
-        ->check(whole_number(1, most_steps))
-        ->capture_default_str();
-    command->add_option("--seed", request->seed, "Equal seeds give equal runs")
+        ->check(whole_number(1, most_steps));
+    command->add_option("--seed", request->seed, "Equal seeds give equal runs; 1 by default")
         ->type_name("S")
-        ->check(whole_number(0, UINT64_MAX))
-        ->capture_default_str();
+        ->check(whole_number(0, UINT64_MAX));
     command->add_option("--broadphase", request->broad_phase, "BruteForce, QuadtreeNaive, Quadtree or Tree")->type_name("NAME");
     command->add_option("--input", request->input, "Pointer and key events to give to the scene")->type_name("FILE");
     command->add_flag("--json", request->is_json, "Print one JSON object");
@@ -88,6 +91,30 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
         ->type_name("FILE.json");
     command->footer(run_notes);
     command->callback([request, &surroundings] { run_command(*request, surroundings); });
+}
+
+void add_export_command(CLI::App& app, const Surroundings& surroundings)
+{
+    CLI::App* const command = app.add_subcommand("export", "Write a scene into a file that other engines can read too");
+    const auto request = std::make_shared<ExportRequest>();
+    command->add_option("scene", request->scene, "Name of a scene, of `carom scenes` or of --list");
+    command->add_option("file", request->file, "The file to write")->type_name("FILE.json");
+    command->add_option("--set", request->settings, "Set a parameter of the scene; may be given again")
+        ->type_name("NAME=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--steps", request->steps, "How long the scene runs; by default 600, or as many steps as it is meant for")
+        ->type_name("N")
+        ->check(whole_number(1, most_steps));
+    command->add_option("--seed", request->seed, "Equal seeds give equal scenes")
+        ->type_name("S")
+        ->check(whole_number(0, UINT64_MAX))
+        ->capture_default_str();
+    command->add_flag("--list", request->lists, "List the benchmark scenes of the laboratory, which are made for this");
+    command->add_flag("--json", request->is_json, "Print the list as one JSON array");
+    command->add_flag("--schema", request->schema, "Print the JSON Schema of scene files");
+    command->footer("docs/scene-files.md tells what is in a scene file.");
+    command->callback([request, &surroundings] { export_command(*request, surroundings); });
 }
 
 void add_trace_command(CLI::App& app, const Surroundings& surroundings)
@@ -104,11 +131,11 @@ std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const 
 {
     const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty();
     if (!lacks_command) return error.what();
-    if (arguments.empty()) return "a command is missing; give scenes, run or trace";
+    if (arguments.empty()) return "a command is missing; give scenes, run, export or trace";
     const std::string& first = arguments.front();
     if (first.starts_with('-'))
-        return "there is no option \"" + first + "\" before a command; give scenes, run or trace, and its options after it";
-    return "there is no command \"" + first + "\"; give scenes, run or trace";
+        return "there is no option \"" + first + "\" before a command; give scenes, run, export or trace, and its options after it";
+    return "there is no command \"" + first + "\"; give scenes, run, export or trace";
 }
 
 int report(const Surroundings& surroundings, const std::exception& error, int status)
@@ -125,6 +152,7 @@ int run_arguments(const std::vector<std::string>& arguments, const Surroundings&
     app.footer(examples);
     add_scenes_command(app, surroundings);
     add_run_command(app, surroundings);
+    add_export_command(app, surroundings);
     add_trace_command(app, surroundings);
     try
     {
@@ -144,6 +172,10 @@ int run_arguments(const std::vector<std::string>& arguments, const Surroundings&
         return report(surroundings, error, status_bad_usage);
     }
     catch (const scenes::SceneError& error)
+    {
+        return report(surroundings, error, status_bad_usage);
+    }
+    catch (const lab::SceneFileError& error)
     {
         return report(surroundings, error, status_bad_usage);
     }

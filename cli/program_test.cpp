@@ -127,10 +127,10 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         std::vector<std::string> arguments;
         const char* message;
     } cases[] = {
-        {{}, "a command is missing; give scenes, run or trace"},
-        {{"--bogus"}, "there is no option \"--bogus\" before a command; give scenes, run or trace, and its options after it"},
+        {{}, "a command is missing; give scenes, run, export or trace"},
+        {{"--bogus"}, "there is no option \"--bogus\" before a command; give scenes, run, export or trace, and its options after it"},
         {{"--json", "scenes"}, "--json"},
-        {{"walk"}, "there is no command \"walk\"; give scenes, run or trace"},
+        {{"walk"}, "there is no command \"walk\"; give scenes, run, export or trace"},
         {{"run"}, "scene"},
         {{"run", "colisions"}, "did you mean collisions?"},
         {{"run", "gravity", "--steps", "0"}, "--steps: \"0\" does not fit; give a whole number from 1 to 10000000"},
@@ -280,6 +280,76 @@ TEST_F(Program, progress_shows_on_a_terminal_only)
     {
         EXPECT_NE(shown.find(" left"), std::string::npos);
     } // a fast machine is done before the first line
+}
+
+TEST_F(Program, exports_a_scene_that_runs_to_the_same_hash)
+{
+    const Outcome exported =
+        carom({"export", "collisions", file("scene.json"), "--set", "circles=40", "--set", "boxes=40", "--seed", "3", "--steps", "50"});
+    EXPECT_EQ(exported.status, 0) << exported.err;
+    EXPECT_EQ(exported.err, "");
+    EXPECT_NE(exported.out.find("scene.json: 81 bodies, 0 joints, 0 events, 50 steps"), std::string::npos) << exported.out;
+    const json of_file = json::parse(carom({"run", file("scene.json"), "--json"}).out);
+    const json of_scene =
+        json::parse(carom({"run", "collisions", "--set", "circles=40", "--set", "boxes=40", "--seed", "3", "--steps", "50", "--json"}).out);
+    EXPECT_EQ(of_file["steps"], 50);
+    EXPECT_EQ(of_file["hash"], of_scene["hash"]);
+    EXPECT_EQ(of_file["scene"], "collisions");
+}
+
+TEST_F(Program, exports_and_runs_scenes_of_the_laboratory)
+{
+    EXPECT_EQ(carom({"export", "large_pyramid", file("scene.json"), "--set", "size=5", "--set", "substeps=2", "--steps", "20"}).status, 0);
+    const Outcome of_file = carom({"run", file("scene.json"), "--json", "--still", file("still.png")});
+    EXPECT_EQ(of_file.status, 0) << of_file.err;
+    EXPECT_TRUE(starts_with(file("still.png"), "\x89PNG"));
+    const Outcome of_scene = carom({"run", "large_pyramid", "--set", "size=5", "--set", "substeps=2", "--steps", "20", "--json"});
+    EXPECT_EQ(json::parse(of_file.out)["hash"], json::parse(of_scene.out)["hash"]);
+    EXPECT_EQ(json::parse(of_scene.out)["parameters"]["size"], 5);
+    EXPECT_EQ(json::parse(of_scene.out)["bodies"], 16);
+}
+
+TEST_F(Program, lists_the_scenes_of_the_laboratory)
+{
+    const json list = json::parse(carom({"export", "--list", "--json"}).out);
+    EXPECT_EQ(list.size(), 26u);
+    EXPECT_EQ(list[0]["suite"], "box2d");
+    const std::string text = carom({"export", "--list"}).out;
+    for (const char* word : {"box2d", "ordinary", "origin", "nbody", "large_pyramid", "size=100 rows"})
+        EXPECT_NE(text.find(word), std::string::npos) << word;
+    EXPECT_TRUE(json::parse(carom({"export", "--schema"}).out).contains("$defs"));
+}
+
+TEST_F(Program, says_what_a_scene_file_does_not_hold)
+{
+    const Outcome outcome = carom({"export", "one-way", file("scene.json")});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.err.find("scene.json: The world's hooks"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("own code"), std::string::npos);
+}
+
+TEST_F(Program, refuses_scene_files_with_their_place)
+{
+    std::ofstream(file("bad.json")) << R"({"carom_scene": 1, "bodies": [{"shapes": [{"circle": {"radius": -1}}]}]})";
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"run", file("bad.json")}, "bad.json: bodies[0].shapes[0].circle.radius is -1; give a number > 0 [m]"},
+        {{"run", file("none.json")}, "can't read"},
+        {{"run", "large_piramid"}, "did you mean large_pyramid?"},
+        {{"run", "large_pyramid", "--set", "size=0"}, "size: 0 is out of range; give an integer from 1 to 300"},
+        {{"run", "large_pyramid", "--set", "rows=3"}, "rows"},
+        {{"export"}, "a scene is missing"},
+        {{"export", "gravity"}, "a file is missing; give its name, as gravity.json"},
+        {{"export", "gravity", file("no/where.json")}, "can't write"},
+    };
+    for (const auto& [arguments, words] : cases)
+    {
+        const Outcome outcome = carom(arguments);
+        EXPECT_EQ(outcome.status, 2) << words;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+    std::ofstream(file("good.json")) << R"({"carom_scene": 1})";
+    EXPECT_EQ(carom({"run", file("good.json"), "--steps", "2"}).status, 0);
+    EXPECT_NE(carom({"run", file("good.json"), "--seed", "2"}).err.find("--seed: a scene file holds no random numbers"), std::string::npos);
 }
 
 } // namespace carom::cli

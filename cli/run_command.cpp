@@ -8,8 +8,8 @@
 #include "cli/progress.hpp"
 #include "cli/render.hpp"
 #include "cli/run_report.hpp"
+#include "cli/scene_source.hpp"
 #include "lab/runner.hpp"
-#include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 
 #include <carom/profile.hpp>
@@ -30,17 +30,9 @@ namespace
 constexpr scenes::Viewport still_size{1280, 720};
 constexpr float animation_rate = 30; // pictures a second, about
 
-scenes::ParameterValues values_from(const RunRequest& request, const SceneInfo& scene)
+scenes::ParameterValues all_values(const RunRequest& request, const SceneInfo& scene)
 {
-    scenes::ParameterValues values;
-    for (const std::string& setting : request.settings)
-    {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
-        const std::string name = setting.substr(0, equals);
-        if (name.empty()) throw BadUsage("--set: \"" + setting + "\" has no name; give NAME=VALUE");
-        values.emplace_back(name, parsed(find_parameter(scene.parameters, name), setting.substr(equals + 1)));
-    }
+    scenes::ParameterValues values = values_from(request.settings, scene);
     if (request.broad_phase)
         values.emplace_back("broad_phase", parsed(find_parameter(scene.parameters, "broad_phase"), *request.broad_phase));
     return values;
@@ -89,12 +81,14 @@ void draw(const Scene& scene, scenes::DrawList& list, Canvas& canvas)
 struct Job
 {
     const RunRequest& request;
+    const SceneSource& source;
+    int steps;
     scenes::ParameterValues values;
     InputScript input;
     Progress progress;
     const Surroundings& surroundings;
 
-    std::unique_ptr<Scene> make() const { return scenes::make_scene(request.scene, values, request.seed); }
+    std::unique_ptr<Scene> make() const { return source.make(values, request.seed.value_or(1)); }
     /// A step is done. Files that are not complete go away when this throws.
     void advance()
     {
@@ -115,7 +109,7 @@ std::uint64_t animate(Job& job, const PendingFile& file)
     Canvas canvas(animation_size(format));
     scenes::DrawList list;
 
-    for (int step = 0; step < job.request.steps; ++step)
+    for (int step = 0; step < job.steps; ++step)
     {
         job.input.apply(*scene, step);
         scene->step();
@@ -130,7 +124,7 @@ std::uint64_t animate(Job& job, const PendingFile& file)
 
 lab::RunResult measure(Job& job, Scene& scene)
 {
-    return lab::run(scene, {.steps = job.request.steps, .before_step = [&](Scene& s, int step) {
+    return lab::run(scene, {.steps = job.steps, .before_step = [&](Scene& s, int step) {
         job.input.apply(s, step);
     }, .after_step = [&](const Scene&, int) { job.advance(); }, .heap_allocations = job.surroundings.heap_allocations});
 }
@@ -139,12 +133,20 @@ lab::RunResult measure(Job& job, Scene& scene)
 
 void run_command(const RunRequest& request, const Surroundings& surroundings)
 {
-    const SceneInfo& info = scenes::find_scene(request.scene);
+    const SceneSource source = SceneSource::find(request.scene);
+    const SceneInfo& info = source.info();
+    if (request.seed && !source.has_seed()) throw BadUsage("--seed: a scene file holds no random numbers; leave it out");
+    const int steps = request.steps.value_or(source.steps().value_or(600));
     check_formats(request);
     check_profiler(request);
     const int passes = request.animation ? 2 : 1;
-    Job job{request, values_from(request, info), request.input ? InputScript::read(*request.input, info) : InputScript(),
-            Progress(surroundings.err, surroundings.err_is_terminal, passes * request.steps), surroundings};
+    Job job{request,
+            source,
+            steps,
+            all_values(request, info),
+            request.input ? InputScript::read(*request.input, info) : InputScript(),
+            Progress(surroundings.err, surroundings.err_is_terminal, passes * steps),
+            surroundings};
     const std::unique_ptr<Scene> scene = job.make();
     std::optional<PendingFile> still = pending("--still", request.still);
     std::optional<PendingFile> animation = pending("--animation", request.animation);
@@ -167,9 +169,9 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
     }
     if (animation) animation->commit();
     job.progress.clear();
-    if (const std::size_t late = job.input.count_from(request.steps); late > 0)
-        surroundings.err << "carom: --input: " << late << " of " << job.input.size() << " events come after the last step, "
-                         << request.steps - 1 << ", and were not used; give more --steps\n";
+    if (const std::size_t late = job.input.count_from(steps); late > 0)
+        surroundings.err << "carom: --input: " << late << " of " << job.input.size() << " events come after the last step, " << steps - 1
+                         << ", and were not used; give more --steps\n";
     surroundings.out << (request.is_json ? run_json(*scene, result).dump(2) + "\n" : run_table(*scene, result));
 }
 

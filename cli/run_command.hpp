@@ -16,8 +16,8 @@ struct RunRequest
 {
     std::string scene;
     std::vector<std::string> settings; ///< each NAME=VALUE
-    int steps = 600;
-    std::uint64_t seed = 1;
+    std::optional<int> steps;          ///< by default as many as the scene is meant for, or 600
+    std::optional<std::uint64_t> seed; ///< 1 by default
     std::optional<std::string> broad_phase;
     std::optional<std::string> input;
     std::optional<std::string> still;
