@@ -71,8 +71,9 @@ FileBody tiles_of(const Level& level)
     return ground;
 }
 
-/// A platform over each gap, that goes up and down by one metre, and turns back every second.
-void add_platforms(SceneFile& file, const Level& level)
+/// A platform over each gap.
+/// @return their numbers
+std::vector<int> add_platforms(SceneFile& file, const Level& level)
 {
     std::vector<int> platforms;
     for (std::size_t x = 1; x + 3 < level.heights.size(); ++x)
@@ -81,16 +82,7 @@ void add_platforms(SceneFile& file, const Level& level)
         const Vec2 place{static_cast<float>(x) + 1.5f, static_cast<float>(level.heights[x - 1]) - 0.2f};
         platforms.push_back(add(file, body_of({.type = BodyType::Kinematic, .position = place}, box(2.8f, 0.4f))));
     }
-    for (int step = 0; step < platformer_steps; step += 60)
-    {
-        FileEvent event{.step = step};
-        for (const int platform : platforms)
-        {
-            const bool is_up = (step / 60 + platform) % 2 == 0;
-            event.set_bodies.push_back({.body = platform, .linear_velocity = Vec2{0, is_up ? 1.0f : -1.0f}});
-        }
-        if (!event.set_bodies.empty()) file.events.push_back(std::move(event));
-    }
+    return platforms;
 }
 
 /// Heaps of crates and a row of coins on every fourth tile or so.
@@ -108,16 +100,28 @@ void add_things(SceneFile& file, Level& level)
     }
 }
 
-/// Runs to the right and jumps whenever the last jump is over, by the velocities that a game would set.
-void add_player(SceneFile& file)
+/// @return its number
+int add_player(SceneFile& file)
 {
-    const int player = add(file, body_of({.position = {2.5f, 1.2f}, .locks = {.rotation = true}, .can_sleep = false, .is_bullet = true},
-                                         capsule({0, -0.4f}, {0, 0.4f}, 0.4f), {.density = 2, .material = {.friction = 0.1f}}));
-    std::vector<FileEvent> events;
-    for (int step = 30; step < platformer_steps; step += 100)
-        events.push_back({.step = step, .set_bodies = {{.body = player, .linear_velocity = Vec2{6, 8}}}});
-    file.events.insert(file.events.end(), events.begin(), events.end());
-    std::stable_sort(file.events.begin(), file.events.end(), [](const FileEvent& a, const FileEvent& b) { return a.step < b.step; });
+    return add(file, body_of({.position = {2.5f, 1.2f}, .locks = {.rotation = true}, .can_sleep = false, .is_bullet = true},
+                             capsule({0, -0.4f}, {0, 0.4f}, 0.4f), {.density = 2, .material = {.friction = 0.1f}}));
+}
+
+/// Each platform goes up and down by one metre and turns back every second. The player runs to the right, and jumps again when a jump is over, by the
+/// velocities that a game would set.
+void add_events(SceneFile& file, const std::vector<int>& platforms, int player)
+{
+    for (int step = 0; step < platformer_steps; step += 10)
+    {
+        FileEvent event{.step = step};
+        for (std::size_t i = 0; step % 60 == 0 && i < platforms.size(); ++i)
+        {
+            const bool is_up = (step / 60 + platforms[i]) % 2 == 0;
+            event.set_bodies.push_back({.body = platforms[i], .linear_velocity = Vec2{0, is_up ? 1.0f : -1.0f}});
+        }
+        if (step % 100 == 30) event.set_bodies.push_back({.body = player, .linear_velocity = Vec2{6, 8}});
+        if (!event.set_bodies.empty()) file.events.push_back(std::move(event));
+    }
 }
 
 } // namespace
@@ -127,10 +131,11 @@ SceneFile platformer(const FieldSetup& setup)
     SceneFile file;
     Level level(setup);
     add(file, tiles_of(level));
-    add_platforms(file, level);
+    const std::vector<int> platforms = add_platforms(file, level);
     add_things(file, level);
-    add_player(file);
-    file.view = FileView{{52, 4}, 34};
+    const int player = add_player(file);
+    add_events(file, platforms, player);
+    file.view = FileView{{64, 4}, 34};
     return file;
 }
 
