@@ -3,6 +3,7 @@
 
 #include "cli/errors.hpp"
 #include "cli/export_command.hpp"
+#include "cli/lab_options.hpp"
 #include "cli/run_command.hpp"
 #include "cli/scene_list.hpp"
 #include "cli/trace_command.hpp"
@@ -131,11 +132,11 @@ std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const 
 {
     const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty();
     if (!lacks_command) return error.what();
-    if (arguments.empty()) return "a command is missing; give scenes, run, export or trace";
+    if (arguments.empty()) return "a command is missing; give scenes, run, export, trace or lab";
     const std::string& first = arguments.front();
     if (first.starts_with('-'))
-        return "there is no option \"" + first + "\" before a command; give scenes, run, export or trace, and its options after it";
-    return "there is no command \"" + first + "\"; give scenes, run, export or trace";
+        return "there is no option \"" + first + "\" before a command; give scenes, run, export, trace or lab, and its options after it";
+    return "there is no command \"" + first + "\"; give scenes, run, export, trace or lab";
 }
 
 int report(const Surroundings& surroundings, const std::exception& error, int status)
@@ -154,6 +155,7 @@ int run_arguments(const std::vector<std::string>& arguments, const Surroundings&
     add_run_command(app, surroundings);
     add_export_command(app, surroundings);
     add_trace_command(app, surroundings);
+    add_lab_command(app, surroundings);
     try
     {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 wants them in reverse

@@ -127,10 +127,10 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         std::vector<std::string> arguments;
         const char* message;
     } cases[] = {
-        {{}, "a command is missing; give scenes, run, export or trace"},
-        {{"--bogus"}, "there is no option \"--bogus\" before a command; give scenes, run, export or trace, and its options after it"},
+        {{}, "a command is missing; give scenes, run, export, trace or lab"},
+        {{"--bogus"}, "there is no option \"--bogus\" before a command; give scenes, run, export, trace or lab, and its options after it"},
         {{"--json", "scenes"}, "--json"},
-        {{"walk"}, "there is no command \"walk\"; give scenes, run, export or trace"},
+        {{"walk"}, "there is no command \"walk\"; give scenes, run, export, trace or lab"},
         {{"run"}, "scene"},
         {{"run", "colisions"}, "did you mean collisions?"},
         {{"run", "gravity", "--steps", "0"}, "--steps: \"0\" does not fit; give a whole number from 1 to 10000000"},

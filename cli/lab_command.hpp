@@ -1,0 +1,63 @@
+// `carom lab`: measures engines against each other.
+#pragma once
+
+#include "cli/program.hpp"
+
+#include <string>
+#include <vector>
+
+namespace carom::cli
+{
+
+struct LabRunRequest
+{
+    std::string suite = "quick";
+    std::string engines = "carom,box2d3,rapier,box2d2"; ///< names with commas between
+    std::string threads = "1";                          ///< numbers with commas between
+    int runs = 5;
+    std::string out;   ///< a folder
+    std::string peers; ///< the folder of the peers' programs; empty for the one beside this build
+};
+
+struct LabReportRequest
+{
+    std::string folder;
+    std::string base = "carom";
+    bool is_json = false;
+};
+
+struct LabCompareRequest
+{
+    std::string a; ///< a folder of results, or a `carom` program
+    std::string b;
+    std::string suite = "quick"; ///< of programs
+    int runs = 10;               ///< of programs
+    std::string out;             ///< of programs: where the results go
+};
+
+struct LabHistoryRequest
+{
+    int size = 500; ///< circles, and as many boxes
+    int steps = 600;
+    int runs = 5;
+    std::string out; ///< a folder
+};
+
+struct LabStepRequest
+{
+    std::string scene; ///< a scene file
+    int threads = 1;
+    int samples = 10;
+    std::string broad_phase = "Tree";
+    std::string out; ///< a file
+};
+
+// All throw BadUsage and Failure.
+void lab_run_command(const LabRunRequest& request, const Surroundings& surroundings);
+void lab_report_command(const LabReportRequest& request, const Surroundings& surroundings);
+void lab_compare_command(const LabCompareRequest& request, const Surroundings& surroundings);
+void lab_history_command(const LabHistoryRequest& request, const Surroundings& surroundings);
+/// Carom as an engine: what lab/engine_run.hpp tells of programs.
+void lab_step_command(const LabStepRequest& request);
+
+} // namespace carom::cli

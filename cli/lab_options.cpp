@@ -1,0 +1,129 @@
+// Reads the options of `carom lab` and its parts.
+#include "cli/lab_options.hpp"
+
+#include "cli/lab_command.hpp"
+#include "lab/suites.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace carom::cli
+{
+
+namespace
+{
+
+constexpr int fewest_runs = 4; // fewer can't be told apart with a confidence of 95%, whatever they are
+constexpr int most_runs = 1000;
+
+std::string suite_notes()
+{
+    std::string notes = "Suites:\n";
+    for (const lab::Suite& suite : lab::suites())
+        notes += "  " + suite.name + std::string(10 - std::min<std::size_t>(suite.name.size(), 9), ' ') + suite.what + "\n";
+    return notes + "\nEngines: carom, and its peers box2d3, rapier and box2d2, which `./dev peers` builds. Every engine steps the same "
+                   "scene files, in turns;\n"
+                   "ratios are between medians of runs, with bootstrap intervals.";
+}
+
+void add_run(CLI::App& lab, const Surroundings& surroundings)
+{
+    CLI::App* const command = lab.add_subcommand("run", "Measure engines on a suite of scenes, and write a report");
+    const auto request = std::make_shared<LabRunRequest>();
+    command->add_option("suite", request->suite, "The scenes")->capture_default_str();
+    command->add_option("--engines", request->engines, "Who takes part")->type_name("A,B,...")->capture_default_str();
+    command->add_option("--threads", request->threads, "Numbers of threads to offer, one after the other")
+        ->type_name("N,M,...")
+        ->capture_default_str();
+    command->add_option("--runs", request->runs, "How often each engine runs each scene")
+        ->type_name("N")
+        ->check(CLI::Range(fewest_runs, most_runs))
+        ->capture_default_str();
+    command->add_option("--out", request->out, "Folder for results and reports")->type_name("DIR")->required();
+    command->add_option("--peers", request->peers, "Folder of the peers' programs; by default build/peers/bin")->type_name("DIR");
+    command->footer(suite_notes());
+    command->callback([request, &surroundings] { lab_run_command(*request, surroundings); });
+}
+
+void add_report(CLI::App& lab, const Surroundings& surroundings)
+{
+    CLI::App* const command = lab.add_subcommand("report", "Report on results that `carom lab run` left, as text, Markdown, HTML and JSON");
+    const auto request = std::make_shared<LabReportRequest>();
+    command->add_option("folder", request->folder, "Where the results are")->type_name("DIR")->required();
+    command->add_option("--base", request->base, "The engine that the others are set against")->type_name("NAME")->capture_default_str();
+    command->add_flag("--json", request->is_json, "Print one JSON object, and write nothing");
+    command->callback([request, &surroundings] { lab_report_command(*request, surroundings); });
+}
+
+void add_compare(CLI::App& lab, const Surroundings& surroundings)
+{
+    CLI::App* const command =
+        lab.add_subcommand("compare", "Tell whether B is faster or slower than A: two folders of results, or two builds of carom");
+    const auto request = std::make_shared<LabCompareRequest>();
+    command->add_option("a", request->a, "A folder of results, or a `carom` program")->type_name("A")->required();
+    command->add_option("b", request->b, "The same kind")->type_name("B")->required();
+    command->add_option("--suite", request->suite, "The scenes on which programs are measured")->capture_default_str();
+    command->add_option("--runs", request->runs, "How often each program runs each scene")
+        ->type_name("N")
+        ->check(CLI::Range(fewest_runs, most_runs))
+        ->capture_default_str();
+    command->add_option("--out", request->out, "Folder for the results of programs")->type_name("DIR");
+    command->callback([request, &surroundings] { lab_compare_command(*request, surroundings); });
+}
+
+void add_history(CLI::App& lab, const Surroundings& surroundings)
+{
+    CLI::App* const command = lab.add_subcommand(
+        "history", "Measure the collision scene with every broad phase, from every pair to the tree, with the tests between them");
+    const auto request = std::make_shared<LabHistoryRequest>();
+    command->add_option("--size", request->size, "Circles, and as many boxes")
+        ->type_name("N")
+        ->check(CLI::Range(1, 20'000))
+        ->capture_default_str();
+    command->add_option("--steps", request->steps, "Steps of a run; 600 are ten seconds")
+        ->type_name("N")
+        ->check(CLI::Range(2, 1'000'000))
+        ->capture_default_str();
+    command->add_option("--runs", request->runs, "How often each version runs")
+        ->type_name("N")
+        ->check(CLI::Range(fewest_runs, most_runs))
+        ->capture_default_str();
+    command->add_option("--out", request->out, "Folder for the table and what it is made from")->type_name("DIR")->required();
+    command->callback([request, &surroundings] { lab_history_command(*request, surroundings); });
+}
+
+void add_step(CLI::App& lab)
+{
+    CLI::App* const command = lab.add_subcommand("step", "Step a scene file as one of the engines: for programs");
+    const auto request = std::make_shared<LabStepRequest>();
+    command->add_option("scene", request->scene, "The scene file")->type_name("SCENE.json")->required();
+    command->add_option("--threads", request->threads, "Threads to use at most")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command->add_option("--samples", request->samples, "Moments at which to write where the bodies are")
+        ->type_name("K")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    command->add_option("--broadphase", request->broad_phase, "Tree, Quadtree, QuadtreeNaive or BruteForce")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command->add_option("--out", request->out, "The file to write")->type_name("RESULT.json")->required();
+    command->callback([request] { lab_step_command(*request); });
+}
+
+} // namespace
+
+void add_lab_command(CLI::App& app, const Surroundings& surroundings)
+{
+    CLI::App* const lab = app.add_subcommand("lab", "Measure Carom against other engines, and one build against another");
+    lab->require_subcommand(1);
+    add_run(*lab, surroundings);
+    add_report(*lab, surroundings);
+    add_compare(*lab, surroundings);
+    add_history(*lab, surroundings);
+    add_step(*lab);
+}
+
+} // namespace carom::cli

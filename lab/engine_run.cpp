@@ -1,0 +1,109 @@
+// Reads and writes what an engine told.
+#include "lab/engine_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+namespace carom::lab
+{
+
+using nlohmann::ordered_json;
+
+namespace
+{
+
+ordered_json json_of(const Sample& sample)
+{
+    ordered_json bodies = ordered_json::array();
+    for (const std::optional<BodySample>& b : sample.bodies)
+        bodies.push_back(b ? ordered_json{b->x, b->y, b->angle, b->vx, b->vy, b->w} : ordered_json());
+    return {{"step", sample.step}, {"bodies", bodies}};
+}
+
+/// A peer that lost a body writes null for its numbers, since JSON knows no NaN: those stay NaN for the evaluator to count.
+double number_from(const ordered_json& value) { return value.is_null() ? std::nan("") : value.get<double>(); }
+
+std::optional<BodySample> body_from(const ordered_json& j)
+{
+    if (j.is_null()) return std::nullopt;
+    if (j.size() != 6) throw std::runtime_error("a body has " + std::to_string(j.size()) + " numbers; six are expected");
+    return BodySample{number_from(j[0]), number_from(j[1]), number_from(j[2]), number_from(j[3]), number_from(j[4]), number_from(j[5])};
+}
+
+Sample sample_from(const ordered_json& j)
+{
+    Sample sample;
+    j.at("step").get_to(sample.step);
+    for (const ordered_json& body : j.at("bodies")) sample.bodies.push_back(body_from(body));
+    return sample;
+}
+
+EngineRun run_from(const ordered_json& json)
+{
+    EngineRun run;
+    json.at("engine").get_to(run.engine);
+    json.at("version").get_to(run.version);
+    json.at("differences").get_to(run.differences);
+    json.at("step_ms").get_to(run.step_ms);
+    if (json.contains("event_ms")) json.at("event_ms").get_to(run.event_ms);
+    if (json.contains("ray_ms")) json.at("ray_ms").get_to(run.ray_ms);
+    if (json.contains("ray_hits")) run.ray_hits = json.at("ray_hits").get<int>();
+    for (const ordered_json& sample : json.at("samples")) run.samples.push_back(sample_from(sample));
+    if (json.contains("counters")) json.at("counters").get_to(run.counters);
+    if (run.step_ms.empty()) throw std::runtime_error("it made no step");
+    for (const double ms : run.step_ms)
+        if (!(ms >= 0) || !std::isfinite(ms)) throw std::runtime_error("a step took " + std::to_string(ms) + " ms");
+    return run;
+}
+
+} // namespace
+
+double EngineRun::mean_ms() const { return std::accumulate(step_ms.begin(), step_ms.end(), 0.0) / static_cast<double>(step_ms.size()); }
+
+std::vector<double> EngineRun::curve(int parts) const
+{
+    const std::size_t count = std::min(static_cast<std::size_t>(parts), step_ms.size());
+    std::vector<double> means;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::size_t begin = i * step_ms.size() / count;
+        const std::size_t end = (i + 1) * step_ms.size() / count;
+        double sum = 0;
+        for (std::size_t step = begin; step < end; ++step) sum += step_ms[step];
+        means.push_back(sum / static_cast<double>(end - begin));
+    }
+    return means;
+}
+
+std::string to_json(const EngineRun& run)
+{
+    ordered_json samples = ordered_json::array();
+    for (const Sample& sample : run.samples) samples.push_back(json_of(sample));
+    ordered_json json = {{"engine", run.engine}, {"version", run.version}, {"differences", run.differences}, {"step_ms", run.step_ms}};
+    if (!run.event_ms.empty()) json["event_ms"] = run.event_ms;
+    if (!run.ray_ms.empty()) json["ray_ms"] = run.ray_ms;
+    if (run.ray_hits) json["ray_hits"] = *run.ray_hits;
+    if (!run.counters.empty()) json["counters"] = run.counters;
+    json["samples"] = samples;
+    return json.dump() + "\n";
+}
+
+EngineRun read_run(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    if (!in) throw std::runtime_error("it wrote no " + file.filename().string());
+    try
+    {
+        return run_from(ordered_json::parse(in));
+    }
+    catch (const nlohmann::json::exception& error)
+    {
+        throw std::runtime_error(std::string("its result can't be read: ") + error.what());
+    }
+}
+
+} // namespace carom::lab

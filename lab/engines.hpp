@@ -1,0 +1,25 @@
+// Which engines the laboratory knows, and where their programs are.
+#pragma once
+
+#include "lab/experiment.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom::lab
+{
+
+/// Names in the order of reports: "carom", "box2d3", "rapier", "box2d2".
+std::span<const std::string_view> engine_names();
+
+/// @param names  of engine_names(), in the order in which they take part
+/// @param carom  the `carom` program
+/// @param peers  the folder with the peers' programs; those that are not there are engines without a command
+/// @throws std::invalid_argument on a name that is not known, with the names that are
+std::vector<Engine> find_engines(std::span<const std::string> names, const std::filesystem::path& carom,
+                                 const std::filesystem::path& peers);
+
+} // namespace carom::lab

@@ -1,0 +1,31 @@
+#include "lab/engines.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace carom::lab
+{
+
+TEST(Engines, are_found_or_reported_as_missing)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "carom_engines_test";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "carom-peer-rapier") << "#!/bin/sh\n";
+    const std::vector<std::string> names = {"rapier", "carom", "box2d3"};
+    const std::vector<Engine> engines = find_engines(names, "/bin/carom", folder);
+    ASSERT_EQ(engines.size(), 3u);
+    EXPECT_EQ(engines[0].command.size(), 1u);
+    EXPECT_EQ(engines[1].command, (std::vector<std::string>{"/bin/carom", "lab", "step"}));
+    EXPECT_TRUE(engines[2].command.empty());
+    EXPECT_NE(engines[2].missing.find("./dev peers"), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Engines, of_other_names_are_refused)
+{
+    const std::vector<std::string> names = {"chipmunk"};
+    EXPECT_THROW(find_engines(names, "carom", "."), std::invalid_argument);
+}
+
+} // namespace carom::lab

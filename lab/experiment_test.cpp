@@ -1,0 +1,131 @@
+#include "lab/experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace carom::lab
+{
+
+namespace
+{
+
+/// Engines that are shell scripts.
+class ExperimentTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        folder_ = std::filesystem::path(testing::TempDir()) / "carom_experiment_test";
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    /// @param script sees the scene as $1 and the file to write as $7
+    Engine engine(const std::string& name, const std::string& script)
+    {
+        const std::filesystem::path file = folder_ / (name + ".sh");
+        std::ofstream(file) << "echo " << name << " >> " << (folder_ / "order").string() << "\n" << script << "\n";
+        return {.name = name, .command = {"sh", file.string()}, .missing = ""};
+    }
+    Engine good(const std::string& name, const std::string& step_ms)
+    {
+        return engine(name, R"(echo '{"engine":"x","version":"1","differences":["d"],"step_ms":[)" + step_ms +
+                                R"(],"samples":[{"step":2,"bodies":[[1,2,3,4,5,6],null,[null,0,0,0,0,0]]}]}' > "$7")");
+    }
+    Plan plan(std::vector<Engine> engines, int runs)
+    {
+        Plan plan;
+        plan.suite = "test";
+        plan.cases = {{.scene = "one", .what = "", .bodies = 3, .steps = 2, .threads = 1, .file = folder_ / "one.json"}};
+        plan.engines = std::move(engines);
+        plan.runs = runs;
+        plan.scratch = folder_ / "scratch";
+        return plan;
+    }
+    std::vector<std::string> order() const
+    {
+        std::ifstream in(folder_ / "order");
+        std::vector<std::string> names;
+        for (std::string name; in >> name;) names.push_back(name);
+        return names;
+    }
+
+    std::filesystem::path folder_;
+};
+
+} // namespace
+
+TEST_F(ExperimentTest, engines_take_turns_and_their_times_are_kept)
+{
+    const Results results = run_experiment(plan({good("a", "1,3"), good("b", "4,4")}, 3), {});
+    EXPECT_EQ(order(), (std::vector<std::string>{"a", "b", "b", "a", "a", "b"}));
+    const CaseResult& one = results.cases.at(0);
+    EXPECT_EQ(one.find("a")->run_ms, (std::vector<double>{2, 2, 2}));
+    EXPECT_EQ(one.find("a")->curve_ms, (std::vector<double>{1, 3}));
+    EXPECT_EQ(one.find("b")->differences, (std::vector<std::string>{"d"}));
+}
+
+TEST_F(ExperimentTest, what_went_wrong_is_told_and_does_not_stop_the_others)
+{
+    const Results results = run_experiment(plan({engine("cannot", "echo hello >&2; echo 'has no pulleys' >&2; exit 3"),
+                                                 engine("crash", "kill -ABRT $$"),
+                                                 engine("silent", "exit 0"),
+                                                 engine("liar", "echo '{\"engine\":1' > \"$7\""),
+                                                 {.name = "gone", .command = {}, .missing = "install it"},
+                                                 good("good", "1,1")},
+                                                2),
+                                           {});
+    const CaseResult& one = results.cases.at(0);
+    EXPECT_EQ(one.find("cannot")->outcome, Outcome::CanNot);
+    EXPECT_EQ(one.find("cannot")->reason, "has no pulleys");
+    EXPECT_EQ(one.find("crash")->outcome, Outcome::Failed);
+    EXPECT_NE(one.find("crash")->reason.find("134"), std::string::npos) << one.find("crash")->reason;
+    EXPECT_EQ(one.find("silent")->outcome, Outcome::Failed) << "it must not get the result of the engine before";
+    EXPECT_EQ(one.find("liar")->outcome, Outcome::Failed);
+    EXPECT_EQ(one.find("gone")->outcome, Outcome::Missing);
+    EXPECT_EQ(one.find("gone")->reason, "install it");
+    EXPECT_EQ(one.find("good")->run_ms.size(), 2u);
+    const std::vector<std::string> ran = order();
+    EXPECT_EQ(std::count(ran.begin(), ran.end(), "crash"), 1) << "it is not asked again";
+}
+
+TEST_F(ExperimentTest, the_evaluator_sees_the_samples)
+{
+    const auto evaluate = [](const PlannedCase& one, const EngineRun& run) -> std::map<std::string, double>
+    {
+        EXPECT_EQ(one.scene, "one");
+        EXPECT_FALSE(run.samples.at(0).bodies.at(1));
+        EXPECT_TRUE(std::isnan(run.samples.at(0).bodies.at(2)->x));
+        return {{"x", run.samples.at(0).bodies.at(0)->x}};
+    };
+    const Results results = run_experiment(plan({good("a", "1,3")}, 1), evaluate);
+    EXPECT_EQ(results.cases.at(0).find("a")->quality.at("x"), 1);
+}
+
+TEST_F(ExperimentTest, progress_goes_from_nothing_to_all)
+{
+    std::vector<int> done;
+    run_experiment(plan({good("a", "1"), good("b", "1")}, 2), {}, [&](const Progress& progress)
+    {
+        EXPECT_EQ(progress.total, 4);
+        done.push_back(progress.done);
+    });
+    EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(EngineRun, survives_its_json)
+{
+    EngineRun run{.engine = "e", .version = "v", .differences = {}, .step_ms = {1, 2, 6}, .samples = {}};
+    run.samples.push_back({.step = 3, .bodies = {BodySample{.x = 1, .y = 2, .angle = 3, .vx = 4, .vy = 5, .w = 6}, std::nullopt}});
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "carom_run.json";
+    std::ofstream(file) << to_json(run);
+    EXPECT_EQ(to_json(read_run(file)), to_json(run));
+    EXPECT_EQ(run.mean_ms(), 3);
+    EXPECT_EQ(run.curve(2), (std::vector<double>{1, 4}));
+    std::filesystem::remove(file);
+}
+
+} // namespace carom::lab

@@ -1,0 +1,99 @@
+// Steps a scene file and writes down what the laboratory asks for.
+#include "lab/own_run.hpp"
+
+#include "lab/sampling.hpp"
+#include "lab/scene_file/player.hpp"
+
+#include <carom/version.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace carom::lab
+{
+
+namespace
+{
+
+std::optional<BodySample> sample_of(const World& world, BodyId id)
+{
+    const std::optional<BodyView> body = world.find_body(id);
+    if (!body) return std::nullopt;
+    const Vec2 p = body->position();
+    const Vec2 v = body->linear_velocity();
+    return BodySample{.x = static_cast<double>(p.x),
+                      .y = static_cast<double>(p.y),
+                      .angle = static_cast<double>(body->angle()),
+                      .vx = static_cast<double>(v.x),
+                      .vy = static_cast<double>(v.y),
+                      .w = static_cast<double>(body->angular_velocity())};
+}
+
+Sample sample_of(const World& world, const FilePlayback& playback, int step)
+{
+    Sample sample{.step = step, .bodies = {}};
+    for (int i = 0; i < playback.body_count(); ++i) sample.bodies.push_back(sample_of(world, playback.body(i)));
+    return sample;
+}
+
+/// Sums over steps.
+class Counts
+{
+public:
+    void add(const StepReport& report, bool is_late)
+    {
+        ++steps_;
+        pairs_tested_ += static_cast<double>(report.broad_phase.pairs_tested);
+        find_pairs_ms_ += 1000 * report.stage_seconds[static_cast<std::size_t>(Stage::FindPairs)];
+        memory_ = std::max(memory_, report.memory.total.peak_bytes);
+        if (!is_late) return;
+        ++late_steps_;
+        allocations_ += static_cast<double>(report.allocations);
+    }
+
+    std::map<std::string, double> means() const
+    {
+        return {{"pairs_tested", pairs_tested_ / std::max(steps_, 1)},
+                {"find_pairs_ms", find_pairs_ms_ / std::max(steps_, 1)},
+                {"allocations", allocations_ / std::max(late_steps_, 1)},
+                {"memory_bytes", static_cast<double>(memory_)}};
+    }
+
+private:
+    int steps_ = 0;
+    int late_steps_ = 0;
+    double pairs_tested_ = 0;
+    double find_pairs_ms_ = 0;
+    double allocations_ = 0;
+    std::size_t memory_ = 0;
+};
+
+} // namespace
+
+EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRunOptions& options)
+{
+    EngineRun run;
+    run.engine = "carom";
+    run.version = CAROM_VERSION;
+    if (options.threads > 1) run.differences.emplace_back("steps on one thread, however many are offered");
+    WorldDef def = FilePlayback::world_def(file);
+    def.broad_phase = options.broad_phase;
+    World world(def);
+    FilePlayback playback(file, name);
+    playback.begin(world);
+    Counts counts;
+    for (int step = 0; step < file.steps; ++step)
+    {
+        const double event_ms = timed_ms([&] { playback.before_step(world, step); });
+        StepReport report;
+        run.step_ms.push_back(timed_ms([&] { report = world.step(file.time_step, file.substeps); }));
+        counts.add(report, 2 * step >= file.steps);
+        if (!file.events.empty()) run.event_ms.push_back(event_ms);
+        if (!file.rays.empty()) run.ray_ms.push_back(timed_ms([&] { run.ray_hits = playback.cast_rays(world).hits; }));
+        if (is_sampled(step, file.steps, options.samples)) run.samples.push_back(sample_of(world, playback, step + 1));
+    }
+    run.counters = counts.means();
+    return run;
+}
+
+} // namespace carom::lab

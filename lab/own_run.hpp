@@ -1,0 +1,25 @@
+// Carom as one of the engines of the laboratory.
+#pragma once
+
+#include "lab/engine_run.hpp"
+#include "lab/scene_file/model.hpp"
+
+#include <carom/broad_phase.hpp>
+
+namespace carom::lab
+{
+
+struct OwnRunOptions
+{
+    int threads = 1;
+    int samples = 10; ///< moments at which it is told where the bodies are, the last one at the end
+    BroadPhaseType broad_phase = BroadPhaseType::Tree;
+};
+
+/// Steps the scene as often as it says. A step's time is the world's own: events and rays are not in it. Counts, as means of a step: pairs_tested,
+/// find_pairs_ms, allocations (over the second half, when the world no longer grows); and memory_bytes, the most that the world held.
+/// @param name of the file, for messages
+/// @throws SceneFileError when something in the file does not hold
+EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRunOptions& options = {});
+
+} // namespace carom::lab

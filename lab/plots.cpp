@@ -1,0 +1,230 @@
+// Writes scripts for gnuplot and reads the pictures that it draws.
+#include "lab/plots.hpp"
+
+#include "lab/process.hpp"
+#include "lab/table.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace carom::lab
+{
+
+namespace
+{
+
+/// A line of a plot.
+struct Line
+{
+    std::string title;
+    std::vector<std::pair<double, double>> points;
+    int color = 1; ///< gnuplot's number of it
+};
+
+struct Drawing
+{
+    std::string title;
+    std::string settings; ///< gnuplot's, a line each
+    std::string style;    ///< "with lines"
+    std::vector<Line> lines;
+};
+
+/// In gnuplot's double quotes.
+std::string quoted(const std::string& text)
+{
+    std::string out = "\"";
+    for (const char c : text)
+    {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c == '\n' ? ' ' : c;
+    }
+    return out + "\"";
+}
+
+std::string script_of(const Drawing& drawing, const std::filesystem::path& out)
+{
+    std::ostringstream script;
+    script << std::setprecision(9) << "set terminal svg size 640,340 noenhanced font 'sans,11' background '#ffffff'\n"
+           << "set output " << quoted(out.string()) << "\nset title " << quoted(drawing.title) << "\n"
+           << "set grid lc rgb '#dddddd'\nset key outside right\nset border 3\nset tics nomirror\n"
+           << drawing.settings;
+    for (std::size_t i = 0; i < drawing.lines.size(); ++i)
+    {
+        script << "$line" << i << " << end\n";
+        for (const auto& [x, y] : drawing.lines[i].points) script << x << " " << y << "\n";
+        script << "end\n";
+    }
+    script << "plot ";
+    for (std::size_t i = 0; i < drawing.lines.size(); ++i)
+        script << (i > 0 ? ", " : "") << "$line" << i << " " << drawing.style << " lw 2 lc " << drawing.lines[i].color << " title "
+               << quoted(drawing.lines[i].title);
+    script << "\n";
+    return script.str();
+}
+
+/// The element alone, without the head of an XML file.
+std::string svg_in(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    const std::string all = text.str();
+    const std::size_t start = all.find("<svg");
+    return start == std::string::npos || all.find("</svg>") == std::string::npos ? std::string() : all.substr(start);
+}
+
+/// gnuplot names parts of its pictures alike, and in one page the first would stand for all.
+std::string with_own_names(std::string svg, int number)
+{
+    const std::string own = "p" + std::to_string(number) + "_";
+    for (const std::string& use :
+         {std::string("id=\""), std::string("href=\"#"), std::string("href='#"), std::string("id='"), std::string("url(#")})
+        for (std::size_t i = svg.find(use); i != std::string::npos; i = svg.find(use, i + use.size() + own.size()))
+            svg.insert(i + use.size(), own);
+    return svg;
+}
+
+/// The same for an engine in every plot.
+int color_of(const Report& report, const std::string& engine)
+{
+    std::vector<std::string> engines;
+    for (const CaseResult& one : report.results->cases)
+        for (const EngineResult& result : one.engines)
+            if (std::find(engines.begin(), engines.end(), result.engine) == engines.end()) engines.push_back(result.engine);
+    return static_cast<int>(std::find(engines.begin(), engines.end(), engine) - engines.begin()) + 1;
+}
+
+std::vector<Drawing> curves(const Report& report)
+{
+    std::vector<Drawing> drawings;
+    for (const ReportCase& one : report.cases)
+    {
+        Drawing drawing;
+        drawing.title =
+            one.result->scene + ", " + std::to_string(one.result->threads) + (one.result->threads == 1 ? " thread" : " threads");
+        drawing.settings = "set xlabel 'step'\nset ylabel 'ms a step'\nset yrange [0:*]\n";
+        drawing.style = "with lines";
+        for (const EngineResult& engine : one.result->engines)
+        {
+            if (engine.curve_ms.size() < 2) continue;
+            Line line{.title = engine.engine, .points = {}, .color = color_of(report, engine.engine)};
+            const double part = static_cast<double>(one.result->steps) / static_cast<double>(engine.curve_ms.size());
+            for (std::size_t i = 0; i < engine.curve_ms.size(); ++i)
+                line.points.emplace_back((static_cast<double>(i) + 0.5) * part, engine.curve_ms[i]);
+            drawing.lines.push_back(std::move(line));
+        }
+        if (!drawing.lines.empty()) drawings.push_back(std::move(drawing));
+    }
+    return drawings;
+}
+
+/// "collisions_2000" is of the family "collisions".
+std::string family_of(const std::string& scene)
+{
+    const std::size_t end = scene.find_last_not_of("0123456789");
+    const bool has_size = end != std::string::npos && end + 1 < scene.size() && (scene[end] == '_' || scene[end] == '-');
+    return has_size ? scene.substr(0, end) : std::string();
+}
+
+std::vector<Drawing> scalings(const Report& report)
+{
+    std::map<std::string, std::map<std::string, Line>> families; // by family and threads, then by engine
+    for (const ReportCase& one : report.cases)
+    {
+        const std::string family = family_of(one.result->scene);
+        if (family.empty()) continue;
+        auto& lines = families[family + ", " + std::to_string(one.result->threads) + " threads"];
+        for (const ReportRow& row : one.rows)
+        {
+            if (row.result->outcome != Outcome::Done) continue;
+            Line& line = lines[row.result->engine];
+            line.title = row.result->engine;
+            line.color = color_of(report, row.result->engine);
+            line.points.emplace_back(one.result->bodies, row.median_ms);
+        }
+    }
+    std::vector<Drawing> drawings;
+    for (auto& [name, lines] : families)
+    {
+        Drawing drawing{.title = "scaling of " + name,
+                        .settings = "set logscale xy\nset xlabel 'bodies'\nset ylabel 'ms a step'\n",
+                        .style = "with linespoints",
+                        .lines = {}};
+        for (auto& [engine, line] : lines)
+        {
+            std::sort(line.points.begin(), line.points.end());
+            if (line.points.size() >= 2) drawing.lines.push_back(line);
+        }
+        if (!drawing.lines.empty()) drawings.push_back(std::move(drawing));
+    }
+    return drawings;
+}
+
+/// How many times faster the base is, scene by scene, with intervals.
+std::vector<Drawing> ratios(const Report& report)
+{
+    std::map<std::string, std::vector<std::pair<const ReportCase*, const Comparison*>>> engines;
+    for (const ReportCase& one : report.cases)
+        for (const ReportRow& row : one.rows)
+            if (row.comparison) engines[row.result->engine].emplace_back(&one, &*row.comparison);
+    std::vector<Drawing> drawings;
+    for (const auto& [engine, cases] : engines)
+    {
+        Drawing drawing;
+        drawing.title = report.base + " is faster than " + engine + " by";
+        drawing.settings =
+            "set logscale x\nset xrange [*<0.5:2<*]\nset yrange [-0.7:" + std::to_string(static_cast<double>(cases.size()) - 0.3) +
+            "]\nunset key\nset xlabel 'times faster'\nset ytics (";
+        for (std::size_t i = 0; i < cases.size(); ++i)
+        {
+            const CaseResult& result = *cases[i].first->result;
+            drawing.settings +=
+                (i > 0 ? ", " : "") + quoted(result.scene + " (" + std::to_string(result.threads) + ")") + " " + std::to_string(i);
+            const Interval& interval = cases[i].second->interval;
+            const auto place = static_cast<double>(i);
+            drawing.lines.push_back(
+                {"", {{interval.low, place}, {cases[i].second->ratio, place}, {interval.high, place}}, color_of(report, engine)});
+        }
+        drawing.settings += ")\nset arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#888888'\n";
+        drawing.style = "with linespoints pt 7 ps 0.6";
+        drawings.push_back(std::move(drawing));
+    }
+    return drawings;
+}
+
+} // namespace
+
+std::vector<Plot> draw_plots(const Report& report, const std::filesystem::path& scratch, std::string& problem)
+{
+    std::vector<Drawing> drawings = ratios(report);
+    for (auto* more : {&scalings, &curves})
+        for (Drawing& drawing : (*more)(report)) drawings.push_back(std::move(drawing));
+    std::filesystem::create_directories(scratch);
+    std::vector<Plot> plots;
+    for (const Drawing& drawing : drawings)
+    {
+        const std::filesystem::path script = scratch / "plot.gp";
+        const std::filesystem::path out = scratch / "plot.svg";
+        std::error_code ignored;
+        std::filesystem::remove(out, ignored);
+        std::ofstream(script) << script_of(drawing, out);
+        constexpr double patience = 30; // [s]
+        const ProcessResult drawn = run_process({"gnuplot", script.string()}, patience);
+        if (!drawn.is_started)
+        {
+            problem = "gnuplot is not installed: there are no plots. On Debian or Ubuntu: apt install gnuplot-nox";
+            return {};
+        }
+        std::string svg = drawn.status == 0 ? svg_in(out) : std::string();
+        if (svg.empty())
+            problem = "gnuplot could not draw \"" + drawing.title + "\": " + drawn.errors;
+        else
+            plots.push_back({drawing.title, with_own_names(std::move(svg), static_cast<int>(plots.size()))});
+    }
+    return plots;
+}
+
+} // namespace carom::lab

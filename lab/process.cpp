@@ -1,0 +1,125 @@
+// Starts a program with a pipe for what it says, and waits for it.
+#include "lab/process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace carom::lab
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t most_kept = 4000; // characters of what it says
+
+class Pipe
+{
+public:
+    Pipe() { is_open_ = ::pipe2(ends_.data(), O_CLOEXEC) == 0; }
+    ~Pipe()
+    {
+        close_writer();
+        if (is_open_) ::close(ends_[0]);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    bool is_open() const { return is_open_; }
+    int reader() const { return ends_[0]; }
+    int writer() const { return ends_[1]; }
+    void close_writer()
+    {
+        if (is_open_ && ends_[1] >= 0) ::close(ends_[1]);
+        ends_[1] = -1;
+    }
+
+private:
+    std::array<int, 2> ends_ = {-1, -1};
+    bool is_open_ = false;
+};
+
+/// @return the new process, or -1
+pid_t start(const std::vector<std::string>& command, int errors)
+{
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    pid_t process = -1;
+    const int error = posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return error == 0 ? process : -1;
+}
+
+/// Reads until the program closes its side or the time is over.
+/// @return false when it was over
+bool listen(int reader, Clock::time_point end, std::string& words)
+{
+    std::array<char, 4096> buffer;
+    while (true)
+    {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        if (left <= 0) return false;
+        pollfd wanted{.fd = reader, .events = POLLIN, .revents = 0};
+        if (::poll(&wanted, 1, static_cast<int>(std::min<long long>(left, 1000))) <= 0) continue;
+        const ssize_t count = ::read(reader, buffer.data(), buffer.size());
+        if (count <= 0) return true;
+        words.append(buffer.data(), static_cast<std::size_t>(count));
+        if (words.size() > 2 * most_kept) words.erase(0, words.size() - most_kept);
+    }
+}
+
+/// Waits for a program that no longer says anything, and leaves its status to be asked for.
+/// @return false when the time is over
+bool has_ended(pid_t process, Clock::time_point end)
+{
+    while (Clock::now() < end)
+    {
+        siginfo_t info{};
+        if (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == process) return true;
+        ::usleep(1000);
+    }
+    return false;
+}
+
+} // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command, double seconds)
+{
+    ProcessResult result;
+    Pipe pipe;
+    if (command.empty() || !pipe.is_open()) return result;
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    const pid_t process = start(command, pipe.writer());
+    if (process < 0) return result;
+    pipe.close_writer();
+    result.is_started = true;
+    result.is_timeout = !listen(pipe.reader(), end, result.errors) || !has_ended(process, end);
+    if (result.is_timeout) ::kill(process, SIGKILL);
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (result.errors.size() > most_kept) result.errors.erase(0, result.errors.size() - most_kept);
+    return result;
+}
+
+} // namespace carom::lab

@@ -1,0 +1,19 @@
+// The tables and lines of which reports are made, whatever their format.
+#pragma once
+
+#include "lab/report.hpp"
+#include "lab/table.hpp"
+
+namespace carom::lab
+{
+
+Table time_table(const Report& report);
+Table quality_table(const Report& report);
+Table mean_table(const Report& report);
+
+std::string origin_line(const Results& results);
+std::string noise_line(const Report& report); ///< empty when it was quiet
+std::vector<std::string> difference_lines(const Report& report);
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
+} // namespace carom::lab

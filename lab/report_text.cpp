@@ -1,0 +1,221 @@
+// Reports as tables of text and as JSON.
+#include "lab/report.hpp"
+
+#include "lab/report_tables.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace carom::lab
+{
+
+using nlohmann::ordered_json;
+
+namespace
+{
+
+ordered_json json_of(const ReportRow& row)
+{
+    const EngineResult& result = *row.result;
+    ordered_json json = {{"engine", result.engine}, {"version", result.version}, {"outcome", name_of(result.outcome)}};
+    if (result.outcome != Outcome::Done)
+        json["reason"] = result.reason;
+    else
+        json["median_ms"] = row.median_ms;
+    if (row.comparison)
+    {
+        const Comparison& c = *row.comparison;
+        json["speed_ratio"] = c.ratio;
+        json["interval"] = {c.interval.low, c.interval.high};
+        json["mann_whitney_p"] = c.mann_whitney_p;
+        json["student_p"] = c.student.p;
+        json["welch_p"] = c.welch.p;
+        json["verdict"] = name_of(c.verdict);
+        json["is_noisy"] = c.is_noisy;
+    }
+    json["quality"] = result.quality;
+    json["worse_in"] = row.worse_in;
+    json["better_in"] = row.better_in;
+    json["differences"] = result.differences;
+    return json;
+}
+
+ordered_json json_of(const ReportCase& one)
+{
+    ordered_json engines = ordered_json::array();
+    for (const ReportRow& row : one.rows) engines.push_back(json_of(row));
+    return {{"scene", one.result->scene},
+            {"threads", one.result->threads},
+            {"bodies", one.result->bodies},
+            {"steps", one.result->steps},
+            {"engines", engines}};
+}
+
+} // namespace
+
+std::string joined(const std::vector<std::string>& words, const std::string& between)
+{
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
+    return all;
+}
+
+std::string origin_line(const Results& results)
+{
+    const Origin& o = results.origin;
+    return "Suite " + results.suite + ", " + std::to_string(results.runs) + " runs of each engine in turns. Carom " + o.version +
+           (o.commit.empty() ? "" : " at " + o.commit) + ", " + o.compiler + " " + o.flags + ". " + o.processor + ", " +
+           std::to_string(o.cores) + " cores, " + o.system + ", " + o.date + ".";
+}
+
+std::string noise_line(const Report& report)
+{
+    if (!report.is_noisy) return {};
+    return "The machine was noisy: runs of one engine on one scene differ by more than 5%. Trust the intervals, and measure again on a "
+           "quiet one.";
+}
+
+Table time_table(const Report& report)
+{
+    Table table({"scene", "bodies", "threads", "engine", "ms a step", report.base + " is faster by", "95% interval", "the engine is",
+                 "its quality is"});
+    for (const ReportCase& one : report.cases)
+    {
+        for (const ReportRow& row : one.rows)
+        {
+            const EngineResult& result = *row.result;
+            std::vector<std::string> cells = {one.result->scene, std::to_string(one.result->bodies), std::to_string(one.result->threads),
+                                              result.engine};
+            if (result.outcome != Outcome::Done)
+            {
+                cells.push_back(name_of(result.outcome) + ": " + result.reason);
+                table.add(cells);
+                continue;
+            }
+            cells.push_back(number_text(row.median_ms));
+            if (const auto& c = row.comparison)
+            {
+                cells.push_back(number_text(c->ratio) + " x");
+                cells.push_back(number_text(c->interval.low) + " to " + number_text(c->interval.high));
+                cells.emplace_back(std::string(name_of(c->verdict)) + (c->is_noisy ? ", noisy" : ""));
+            }
+            else
+                cells.insert(cells.end(), 3, "");
+            std::string quality;
+            if (!row.worse_in.empty()) quality = "worse: " + joined(row.worse_in, ", ");
+            if (!row.better_in.empty()) quality += (quality.empty() ? "" : "; ") + ("better: " + joined(row.better_in, ", "));
+            cells.push_back(quality);
+            table.add(cells);
+        }
+    }
+    return table;
+}
+
+Table quality_table(const Report& report)
+{
+    std::vector<const Metric*> shown; // those that someone has
+    for (const Metric& metric : metrics())
+        for (const CaseResult& one : report.results->cases)
+            for (const EngineResult& engine : one.engines)
+                if (engine.quality.count(metric.name) && std::find(shown.begin(), shown.end(), &metric) == shown.end())
+                    shown.push_back(&metric);
+    std::vector<std::string> head = {"scene", "threads", "engine"};
+    for (const Metric* metric : shown) head.emplace_back(metric->label);
+    Table table(head);
+    for (const ReportCase& one : report.cases)
+    {
+        for (const ReportRow& row : one.rows)
+        {
+            if (row.result->outcome != Outcome::Done) continue;
+            std::vector<std::string> cells = {one.result->scene, std::to_string(one.result->threads), row.result->engine};
+            for (const Metric* metric : shown)
+            {
+                const auto place = row.result->quality.find(metric->name);
+                cells.push_back(place == row.result->quality.end() ? "" : number_text(place->second));
+            }
+            table.add(cells);
+        }
+    }
+    return table;
+}
+
+Table mean_table(const Report& report)
+{
+    Table table({"engine", "threads", "scenes", report.base + " is faster by (geometric mean)"});
+    for (const ReportMean& mean : report.means)
+        table.add({mean.engine, std::to_string(mean.threads), std::to_string(mean.cases), number_text(mean.ratio) + " x"});
+    return table;
+}
+
+std::vector<std::string> difference_lines(const Report& report)
+{
+    std::set<std::string> lines;
+    for (const CaseResult& one : report.results->cases)
+        for (const EngineResult& engine : one.engines)
+            for (const std::string& difference : engine.differences) lines.insert(engine.engine + ": " + difference);
+    return {lines.begin(), lines.end()};
+}
+
+std::string report_text(const Report& report)
+{
+    std::string out = origin_line(*report.results) + "\n";
+    if (report.is_noisy) out += noise_line(report) + "\n";
+    out += "\n" + time_table(report).text() + "\n" + quality_table(report).text() + "\n" + mean_table(report).text();
+    const std::vector<std::string> differences = difference_lines(report);
+    if (!differences.empty()) out += "\nSettings that differ:\n  " + joined(differences, "\n  ") + "\n";
+    return out;
+}
+
+std::string report_markdown(const Report& report)
+{
+    std::string out = origin_line(*report.results) + "\n\n";
+    if (report.is_noisy) out += noise_line(report) + "\n\n";
+    out += "## Means\n\n" + mean_table(report).markdown() + "\n## Times\n\n" + time_table(report).markdown() +
+           "\n## Quality\n\nLess is better.\n\n" + quality_table(report).markdown();
+    const std::vector<std::string> differences = difference_lines(report);
+    if (!differences.empty()) out += "\n## Settings that differ\n\n- " + joined(differences, "\n- ") + "\n";
+    return out;
+}
+
+std::string report_json(const Report& report)
+{
+    ordered_json cases = ordered_json::array();
+    for (const ReportCase& one : report.cases) cases.push_back(json_of(one));
+    ordered_json means = ordered_json::array();
+    for (const ReportMean& mean : report.means)
+        means.push_back({{"engine", mean.engine}, {"threads", mean.threads}, {"scenes", mean.cases}, {"speed_ratio", mean.ratio}});
+    const Origin& o = report.results->origin;
+    const ordered_json json = {
+        {"suite", report.results->suite}, {"base", report.base}, {"runs", report.results->runs}, {"processor", o.processor},
+        {"compiler", o.compiler},         {"flags", o.flags},    {"commit", o.commit},           {"date", o.date},
+        {"is_noisy", report.is_noisy},    {"cases", cases},      {"geometric_means", means}};
+    return json.dump(2) + "\n";
+}
+
+std::string compare_text(const Results& a, const Results& b, const ComparisonOptions& options)
+{
+    Table table({"scene", "threads", "engine", "A ms", "B ms", "B / A", "95% interval", "Mann-Whitney p", "B is"});
+    bool is_noisy = false;
+    for (const CaseResult& one : a.cases)
+    {
+        const auto is_it = [&](const CaseResult& c) { return c.scene == one.scene && c.threads == one.threads; };
+        const auto other = std::find_if(b.cases.begin(), b.cases.end(), is_it);
+        if (other == b.cases.end()) continue;
+        for (const EngineResult& engine : one.engines)
+        {
+            const EngineResult* const same = other->find(engine.engine);
+            if (!same || engine.run_ms.size() < 2 || same->run_ms.size() < 2) continue;
+            const Comparison c = compare(engine.run_ms, same->run_ms, options);
+            is_noisy = is_noisy || c.is_noisy;
+            table.add({one.scene, std::to_string(one.threads), engine.engine, number_text(c.median_a), number_text(c.median_b),
+                       number_text(c.ratio, 4), number_text(c.interval.low, 4) + " to " + number_text(c.interval.high, 4),
+                       number_text(c.mann_whitney_p, 2), std::string(name_of(c.verdict)) + (c.is_noisy ? ", noisy" : "")});
+        }
+    }
+    std::string out = "A: " + origin_line(a) + "\nB: " + origin_line(b) + "\n\n" + table.text();
+    if (is_noisy) out += "\nThe machine was noisy: runs of one side differ by more than 5%.\n";
+    return out;
+}
+
+} // namespace carom::lab

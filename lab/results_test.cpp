@@ -1,0 +1,74 @@
+#include "lab/results.hpp"
+
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace carom::lab
+{
+
+namespace
+{
+
+Results some_results()
+{
+    Results results;
+    results.origin = origin_here();
+    results.suite = "quick";
+    results.runs = 2;
+    CaseResult one{.scene = "pyramid", .what = "boxes", .bodies = 55, .steps = 100, .threads = 2, .engines = {}};
+    one.engines.push_back({.engine = "carom",
+                           .version = "0.1.0",
+                           .outcome = Outcome::Done,
+                           .reason = "",
+                           .differences = {},
+                           .run_ms = {0.5, 0.25},
+                           .curve_ms = {0.125, 1},
+                           .quality = {{"deepest_penetration_m", 0.004}}});
+    one.engines.push_back({.engine = "other",
+                           .version = "",
+                           .outcome = Outcome::CanNot,
+                           .reason = "has no pulleys",
+                           .differences = {"friction is mixed otherwise"},
+                           .run_ms = {},
+                           .curve_ms = {},
+                           .quality = {}});
+    results.cases.push_back(one);
+    return results;
+}
+
+} // namespace
+
+TEST(Results, survive_a_file)
+{
+    const Results results = some_results();
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "carom_results_test" / "deep";
+    write_results(results, folder);
+    const Results read = read_results(folder);
+    EXPECT_EQ(to_json(read), to_json(results));
+    ASSERT_TRUE(read.cases.front().find("other"));
+    EXPECT_EQ(read.cases.front().find("other")->outcome, Outcome::CanNot);
+    EXPECT_FALSE(read.cases.front().find("nobody"));
+    std::filesystem::remove_all(folder.parent_path());
+}
+
+TEST(Results, say_what_they_are_not)
+{
+    EXPECT_THROW(results_from_json("{"), std::runtime_error);
+    EXPECT_THROW(results_from_json("[]"), std::runtime_error);
+    EXPECT_THROW(results_from_json(R"({"carom_results": 99})"), std::runtime_error);
+    EXPECT_THROW(read_results("/nowhere"), std::runtime_error);
+    std::string text = to_json(some_results());
+    text.replace(text.find("can't"), 5, "won't");
+    EXPECT_THROW(results_from_json(text), std::runtime_error);
+}
+
+TEST(Results, name_the_machine)
+{
+    const Origin here = origin_here();
+    EXPECT_GE(here.cores, 1);
+    EXPECT_FALSE(here.compiler.empty());
+    EXPECT_FALSE(here.version.empty());
+    EXPECT_NE(here.flags.find("-ffp-contract=off"), std::string::npos) << here.flags;
+}
+
+} // namespace carom::lab

@@ -1,0 +1,44 @@
+#include "lab/suites.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <stdexcept>
+
+namespace carom::lab
+{
+
+TEST(Suites, hold_every_scene_of_the_field_once_and_a_quick_choice)
+{
+    std::set<std::string> names;
+    for (const Suite& suite : suites())
+    {
+        EXPECT_FALSE(suite.scenes.empty()) << suite.name;
+        if (suite.name == "quick") continue;
+        for (const SuiteScene& scene : suite.scenes) EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+    }
+    EXPECT_EQ(names.size(), field_scenes().size());
+    EXPECT_EQ(find_suite("quick").scenes.size(), 9u);
+    EXPECT_EQ(find_suite("box2d").scenes.size(), 10u);
+}
+
+TEST(Suites, know_what_should_hold)
+{
+    EXPECT_TRUE(find_suite("box2d").traits_of("large_pyramid").stands);
+    EXPECT_TRUE(find_suite("origin").traits_of("origin_2000").keeps_energy);
+    EXPECT_TRUE(find_suite("nbody").traits_of("orbits_1000").keeps_momentum);
+    EXPECT_FALSE(find_suite("box2d").traits_of("rain").stands);
+    EXPECT_THROW(find_suite("box2d").traits_of("nothing"), std::invalid_argument);
+    EXPECT_THROW(find_suite("fast"), std::invalid_argument);
+}
+
+TEST(Suites, the_quick_scenes_can_be_made)
+{
+    for (const SuiteScene& scene : find_suite("quick").scenes)
+    {
+        const SceneFile file = scene.make();
+        EXPECT_EQ(file.steps, scene.steps) << scene.name;
+        EXPECT_GT(body_count(file), 1) << scene.name;
+    }
+}
+
+} // namespace carom::lab
