@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <unistd.h>
 
 namespace carom::cli
 {
@@ -58,7 +59,7 @@ protected:
         return path(name);
     }
 
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "carom_lab_command_test";
+    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / ("carom_lab_command_test_" + std::to_string(getpid()));
 };
 
 } // namespace

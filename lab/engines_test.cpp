@@ -3,13 +3,14 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace carom::lab
 {
 
 TEST(Engines, are_found_or_reported_as_missing)
 {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "carom_engines_test";
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("carom_engines_test_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "carom-peer-rapier") << "#!/bin/sh\n";
     const std::vector<std::string> names = {"rapier", "carom", "box2d3"};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace carom::lab
 {
@@ -17,7 +18,7 @@ class ExperimentTest : public testing::Test
 protected:
     void SetUp() override
     {
-        folder_ = std::filesystem::path(testing::TempDir()) / "carom_experiment_test";
+        folder_ = std::filesystem::path(testing::TempDir()) / ("carom_experiment_test_" + std::to_string(getpid()));
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
     }
@@ -120,7 +121,7 @@ TEST(EngineRun, survives_its_json)
 {
     EngineRun run{.engine = "e", .version = "v", .differences = {}, .step_ms = {1, 2, 6}, .samples = {}};
     run.samples.push_back({.step = 3, .bodies = {BodySample{.x = 1, .y = 2, .angle = 3, .vx = 4, .vy = 5, .w = 6}, std::nullopt}});
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "carom_run.json";
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("carom_run_" + std::to_string(getpid()) + ".json");
     std::ofstream(file) << to_json(run);
     EXPECT_EQ(to_json(read_run(file)), to_json(run));
     EXPECT_EQ(run.mean_ms(), 3);

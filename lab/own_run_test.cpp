@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace carom::lab
 {
@@ -109,7 +110,7 @@ TEST(OwnRun, times_steps_events_and_rays_by_themselves)
 
 TEST(OwnRun, is_the_same_after_a_file)
 {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "scene_run.json";
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("scene_run_" + std::to_string(getpid()) + ".json");
     const EngineRun run = run_text(falling, 7);
     std::ofstream(file) << to_json(run);
     const EngineRun read = read_run(file);

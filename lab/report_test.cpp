@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace carom::lab
 {
@@ -94,7 +95,8 @@ TEST(Report, names_the_missing_in_every_format)
     const Results results = some_results();
     const Report report = evaluate(results);
     for (const std::string& text :
-         {report_text(report), report_markdown(report), report_html(report, std::filesystem::path(testing::TempDir()) / "carom_plots")})
+         {report_text(report), report_markdown(report),
+          report_html(report, std::filesystem::path(testing::TempDir()) / ("carom_plots_" + std::to_string(getpid())))})
     {
         EXPECT_NE(text.find("missing: ./dev peers builds it"), std::string::npos);
         EXPECT_NE(text.find(results.origin.processor), std::string::npos);

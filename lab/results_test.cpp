@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace carom::lab
 {
@@ -41,7 +42,8 @@ Results some_results()
 TEST(Results, survive_a_file)
 {
     const Results results = some_results();
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "carom_results_test" / "deep";
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("carom_results_test_" + std::to_string(getpid())) / "deep";
     write_results(results, folder);
     const Results read = read_results(folder);
     EXPECT_EQ(to_json(read), to_json(results));
