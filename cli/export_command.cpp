@@ -79,7 +79,7 @@ void export_command(const ExportRequest& request, const Surroundings& surroundin
     if (request.scene.empty()) throw BadUsage("a scene is missing; give its name and a file, or --list");
     if (request.file.empty()) throw BadUsage("a file is missing; give its name, as " + request.scene + ".json");
     const SceneSource source = SceneSource::find(request.scene);
-    SceneFile file = source.scene_file(values_from(request.settings, source.info()), request.seed);
+    SceneFile file = source.scene_file(scenes::parsed_settings(source.info().parameters, request.settings), request.seed);
     if (request.steps) file.steps = *request.steps;
     PendingFile pending("export", request.file);
     std::ofstream out(pending.temporary(), std::ios::binary);

@@ -32,7 +32,7 @@ constexpr float animation_rate = 30; // pictures a second, about
 
 scenes::ParameterValues all_values(const RunRequest& request, const SceneInfo& scene)
 {
-    scenes::ParameterValues values = values_from(request.settings, scene);
+    scenes::ParameterValues values = scenes::parsed_settings(scene.parameters, request.settings);
     if (request.broad_phase)
         values.emplace_back("broad_phase", parsed(find_parameter(scene.parameters, "broad_phase"), *request.broad_phase));
     return values;

@@ -111,18 +111,4 @@ SceneFile SceneSource::scene_file(const ParameterValues& values, std::uint64_t s
     return file;
 }
 
-ParameterValues values_from(std::span<const std::string> settings, const SceneInfo& scene)
-{
-    ParameterValues values;
-    for (const std::string& setting : settings)
-    {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
-        const std::string name = setting.substr(0, equals);
-        if (name.empty()) throw BadUsage("--set: \"" + setting + "\" has no name; give NAME=VALUE");
-        values.emplace_back(name, parsed(find_parameter(scene.parameters, name), setting.substr(equals + 1)));
-    }
-    return values;
-}
-
 } // namespace carom::cli

@@ -47,8 +47,4 @@ private:
     std::optional<int> steps_;
 };
 
-/// Reads what was given as --set NAME=VALUE.
-/// @throws BadUsage, scenes::SceneError
-scenes::ParameterValues values_from(std::span<const std::string> settings, const scenes::SceneInfo& scene);
-
 } // namespace carom::cli

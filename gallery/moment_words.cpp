@@ -33,8 +33,8 @@ const char* explanation_of(Stage stage)
         return "The impulses of the substep before are applied again. They are nearly right already, so that the solver has little left to "
                "do.";
     case Stage::Solve:
-        return "Row by row, impulses are added until nothing approaches. A soft spring pushes overlap out, so that the velocities are a "
-               "little too fast for now. Arrows are impulses.";
+        return "Row by row, impulses are added until nothing approaches. A soft spring pushes overlap out, which makes the velocities a "
+               "little too fast until the rows are relaxed. Arrows are impulses.";
     case Stage::IntegratePositions: return "The bodies move by their velocities for a substep.";
     case Stage::Relax:
         return "The rows are solved once more without the push against overlap: the speed that it added is taken out again. Friction is "

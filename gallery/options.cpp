@@ -62,19 +62,6 @@ bool is_second(const std::string& option, const std::string& word, const std::st
     return word == second;
 }
 
-scenes::ParameterValues read_settings(const std::vector<std::string>& settings, const scenes::SceneInfo& info)
-{
-    scenes::ParameterValues values;
-    for (const std::string& setting : settings)
-    {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos) throw BadUsage("--set: \"" + setting + "\" has no value; give NAME=VALUE");
-        const std::string name = setting.substr(0, equals);
-        values.emplace_back(name, scenes::parsed(scenes::find_parameter(info.parameters, name), setting.substr(equals + 1)));
-    }
-    return values;
-}
-
 /// What is read by hand, since CLI11's own errors would say less.
 struct Words
 {
@@ -136,7 +123,7 @@ void read_words(const Words& words, Options& options)
     options.theme = is_second("--theme", words.theme, "dark", "light") ? ThemeKind::Light : ThemeKind::Dark;
     options.palette = is_second("--palette", words.palette, "scene", "safe") ? Palette::ColorBlindSafe : Palette::Scene;
     if (!words.size.empty()) read_size(words.size, options);
-    options.values = read_settings(words.settings, scenes::find_scene(options.scene));
+    options.values = scenes::parsed_settings(scenes::find_scene(options.scene).parameters, words.settings);
     options.has_panels = !words.hides_panels;
 }
 

@@ -165,6 +165,20 @@ ParameterValue parsed(const ParameterInfo& info, std::string_view text)
     return checked(info, *value);
 }
 
+ParameterValues parsed_settings(std::span<const ParameterInfo> infos, std::span<const std::string> settings)
+{
+    ParameterValues values;
+    for (const std::string& setting : settings)
+    {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos) throw SceneError("--set", "\"" + setting + "\" has no value", "give NAME=VALUE");
+        const std::string name = setting.substr(0, equals);
+        if (name.empty()) throw SceneError("--set", "\"" + setting + "\" has no name", "give NAME=VALUE");
+        values.emplace_back(name, parsed(find_parameter(infos, name), setting.substr(equals + 1)));
+    }
+    return values;
+}
+
 const ParameterInfo& find_parameter(std::span<const ParameterInfo> infos, std::string_view name)
 {
     for (const ParameterInfo& info : infos)

@@ -89,6 +89,9 @@ ParameterValue checked(const ParameterInfo& info, const ParameterValue& value);
 /// Reads what a person wrote.
 /// @throws SceneError when it is not of the parameter's kind or is out of range
 ParameterValue parsed(const ParameterInfo& info, std::string_view text);
+/// Reads settings as a command line has them: "circles=500".
+/// @throws SceneError on one without a name or a value, an unknown name, or a value that does not fit
+ParameterValues parsed_settings(std::span<const ParameterInfo> infos, std::span<const std::string> settings);
 /// @throws SceneError naming a parameter of a similar name, or all of them
 const ParameterInfo& find_parameter(std::span<const ParameterInfo> infos, std::string_view name);
 
