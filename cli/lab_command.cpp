@@ -11,9 +11,10 @@
 #include "lab/scene_file/reader.hpp"
 #include "lab/scene_file/writer.hpp"
 #include "lab/suites.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -233,11 +234,10 @@ void lab_history_command(const LabHistoryRequest& request, const Surroundings& s
 
 void lab_step_command(const LabStepRequest& request)
 {
-    constexpr std::array types = {BroadPhaseType::Tree, BroadPhaseType::Quadtree, BroadPhaseType::QuadtreeNaive,
-                                  BroadPhaseType::BruteForce};
-    const auto type = std::find_if(types.begin(), types.end(), [&](BroadPhaseType t) { return name_of(t) == request.broad_phase; });
-    if (type == types.end())
-        throw BadUsage("--broadphase: \"" + request.broad_phase + "\" is not known; give Tree, Quadtree, QuadtreeNaive or BruteForce");
+    const std::optional<BroadPhaseType> type = broad_phase_named(request.broad_phase);
+    if (!type)
+        throw BadUsage("--broadphase: \"" + request.broad_phase + "\" is not known; " +
+                       scenes::suggestion(request.broad_phase, scenes::broad_phase_names()));
     const lab::SceneFile file = lab::read_scene_file(request.scene);
     const lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type};
     write_text(request.out, to_json(lab::run_carom(file, request.scene, options)));

@@ -3,6 +3,8 @@
 
 #include "cli/lab_command.hpp"
 #include "lab/suites.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -106,7 +108,7 @@ void add_step(CLI::App& lab)
         ->type_name("K")
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
-    command->add_option("--broadphase", request->broad_phase, "Tree, Quadtree, QuadtreeNaive or BruteForce")
+    command->add_option("--broadphase", request->broad_phase, scenes::joined(scenes::broad_phase_names()))
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--out", request->out, "The file to write")->type_name("RESULT.json")->required();

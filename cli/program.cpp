@@ -9,6 +9,8 @@
 #include "cli/trace_command.hpp"
 #include "lab/scene_file/model.hpp"
 #include "scenes/parameters.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -82,7 +84,7 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
     command->add_option("--seed", request->seed, "Equal seeds give equal runs; 1 by default")
         ->type_name("S")
         ->check(whole_number(0, UINT64_MAX));
-    command->add_option("--broadphase", request->broad_phase, "BruteForce, QuadtreeNaive, Quadtree or Tree")->type_name("NAME");
+    command->add_option("--broadphase", request->broad_phase, scenes::joined(scenes::broad_phase_names()))->type_name("NAME");
     command->add_option("--input", request->input, "Pointer and key events to give to the scene")->type_name("FILE");
     command->add_flag("--json", request->is_json, "Print one JSON object");
     command->add_option("--still", request->still, "Draw the last step into a picture")->type_name("FILE.png");

@@ -117,7 +117,7 @@ TEST_F(Program, the_broad_phase_does_not_change_the_hash)
     const auto hash_with = [](const std::string& name)
     { return json::parse(carom({"run", "gravity", "--steps", "30", "--json", "--broadphase", name}).out)["hash"]; };
     const json expected = hash_with("tree");
-    for (const char* name : {"bruteforce", "QuadtreeNaive", "QUADTREE"}) EXPECT_EQ(hash_with(name), expected) << name;
+    for (const char* name : {"bruteforce", "QuadtreeNaive", "quadtreewithset", "QUADTREE"}) EXPECT_EQ(hash_with(name), expected) << name;
 }
 
 TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
@@ -144,7 +144,7 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         {{"run", "gravity", "--set", "size=9"}, "size: 9 is out of range; give a number from 0.2 to 5 m"},
         {{"run", "gravity", "--set", "sise=1"}, "did you mean size?"},
         {{"run", "gravity", "--set", "=1"}, "--set: \"=1\" has no name; give NAME=VALUE"},
-        {{"run", "gravity", "--broadphase", "Octree"}, "one of Tree, Quadtree, QuadtreeNaive, BruteForce"},
+        {{"run", "gravity", "--broadphase", "Octree"}, "one of Tree, BruteForce, QuadtreeNaive, QuadtreeWithSet, Quadtree"},
         {{"run", "gravity", "--input", "/no/such/file"}, "/no/such/file"},
         {{"run", "gravity", "--still", "/no/such/folder/a.png"}, "/no/such/folder/a.png"},
         {{"run", "gravity", "--still", "a.jpg"}, ".png"},

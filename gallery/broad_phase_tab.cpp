@@ -18,7 +18,10 @@ const char* story_of(BroadPhaseType type)
         return "Every shape is tested against every other: the reference, whose cost grows with the square of their number.";
     case BroadPhaseType::QuadtreeNaive:
         return "A shape lies in every square that it touches, and a hash set keeps pairs from coming twice: what one writes first.";
-    case BroadPhaseType::Quadtree: return "A shape lies once, in the deepest square that holds it whole. A full square divides into four.";
+    case BroadPhaseType::QuadtreeWithSet:
+        return "A shape lies once, in the deepest square that holds it whole, so that no pair comes twice; the hash set is still asked.";
+    case BroadPhaseType::Quadtree:
+        return "A shape lies once, in the deepest square that holds it whole. A full square divides into four. No set is needed.";
     case BroadPhaseType::Tree: return "A wide tree of bounding boxes, of which four are tested at once. It is walked against itself.";
     }
     return "";
@@ -27,13 +30,12 @@ const char* story_of(BroadPhaseType type)
 void choose(Gallery& gallery)
 {
     const BroadPhaseType now = gallery.session.scene().world().broad_phase();
-    for (const BroadPhaseType type :
-         {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree, BroadPhaseType::Tree})
+    for (const BroadPhaseType type : all_broad_phases)
     {
         const std::string name(name_of(type));
         if (ImGui::RadioButton(name.c_str(), type == now)) gallery.session.set_parameter("broad_phase", name);
         gallery.widgets.note(name);
-        if (type == BroadPhaseType::BruteForce || type == BroadPhaseType::Quadtree) ImGui::SameLine(11 * ImGui::GetFontSize());
+        if (type == BroadPhaseType::BruteForce || type == BroadPhaseType::QuadtreeWithSet) ImGui::SameLine(11 * ImGui::GetFontSize());
     }
     muted(story_of(now));
 }

@@ -5,7 +5,6 @@
 #include "scenes/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace carom::scenes
@@ -14,30 +13,27 @@ namespace carom::scenes
 namespace
 {
 
-constexpr std::array all_broad_phases = {BroadPhaseType::Tree, BroadPhaseType::Quadtree, BroadPhaseType::QuadtreeNaive,
-                                         BroadPhaseType::BruteForce};
-
-BroadPhaseType broad_phase_named(std::string_view name)
-{
-    return *std::find_if(all_broad_phases.begin(), all_broad_phases.end(), [&](auto type) { return name_of(type) == name; });
-}
-
 WorldDef with_broad_phase(WorldDef def, const Parameters& parameters)
 {
-    def.broad_phase = broad_phase_named(parameters.choice("broad_phase"));
+    def.broad_phase = broad_phase_named(parameters.choice("broad_phase")).value();
     return def;
 }
 
 } // namespace
 
+std::vector<std::string> broad_phase_names()
+{
+    std::vector<std::string> names;
+    for (const BroadPhaseType type : all_broad_phases) names.emplace_back(name_of(type));
+    return names;
+}
+
 std::vector<ParameterInfo> with_common_parameters(std::vector<ParameterInfo> own, BroadPhaseType broad_phase, int substeps)
 {
-    std::vector<std::string> broad_phases = {std::string(name_of(broad_phase))};
-    for (const BroadPhaseType type : all_broad_phases)
-    {
-        if (type != broad_phase) broad_phases.emplace_back(name_of(type));
-    }
-    own.push_back(choice("broad_phase", broad_phases, Applies::Live, "how pairs of near shapes are found"));
+    std::vector<std::string> names = broad_phase_names(); // the default comes first
+    const auto initial = std::find(names.begin(), names.end(), name_of(broad_phase));
+    std::rotate(names.begin(), initial, initial + 1);
+    own.push_back(choice("broad_phase", names, Applies::Live, "how pairs of near shapes are found"));
     own.push_back(real("step_rate", {10, 60, 1000}, "1/s", Applies::Live, "steps in a second of simulated time"));
     own.push_back(integer("substeps", {1, substeps, 64}, "", Applies::Live, "parts into which the solver divides a step"));
     own.push_back(boolean("show_squares", broad_phase == BroadPhaseType::Quadtree, Applies::Live, "draw the broad phase's nodes"));
@@ -65,7 +61,7 @@ void Scene::set_parameter(std::string_view name, const ParameterValue& value)
     const ParameterInfo& parameter = find_parameter(parameters_.infos(), name);
     parameters_.set(name, value);
     if (parameter.applies != Applies::Live) return;
-    if (name == "broad_phase") world_.set_broad_phase(broad_phase_named(choice(name)));
+    if (name == "broad_phase") world_.set_broad_phase(broad_phase_named(choice(name)).value());
     on_parameter(name);
 }
 

@@ -174,6 +174,9 @@ private:
 /// Most bodies that pointer actions may fill a scene with.
 inline constexpr int max_bodies = 20000;
 
+/// Of all broad phases, from the simplest to the fastest.
+std::vector<std::string> broad_phase_names();
+
 /// The parameters and controls that every scene has beside its own.
 /// @param broad_phase the default
 /// @param substeps    the default

@@ -61,21 +61,22 @@ TEST_P(EveryScene, equal_seeds_give_equal_runs)
 
 TEST_P(EveryScene, the_broad_phase_does_not_show)
 {
-    const auto hash_with = [&](const char* name) { return hash_after(*make_scene(GetParam(), {{"broad_phase", name}}), 60); };
-    const std::uint64_t expected = hash_with("BruteForce");
-    for (const char* name : {"QuadtreeNaive", "Quadtree", "Tree"}) EXPECT_EQ(hash_with(name), expected) << name;
+    const auto hash_with = [&](BroadPhaseType type)
+    { return hash_after(*make_scene(GetParam(), {{"broad_phase", std::string(name_of(type))}}), 60); };
+    const std::uint64_t expected = hash_with(BroadPhaseType::BruteForce);
+    for (const BroadPhaseType type : all_broad_phases) EXPECT_EQ(hash_with(type), expected) << name_of(type);
 }
 
 TEST_P(EveryScene, the_broad_phase_can_change_while_it_runs)
 {
     const auto scene = make();
-    for (const char* name : {"BruteForce", "QuadtreeNaive", "Quadtree", "Tree"})
+    for (const BroadPhaseType type : all_broad_phases)
     {
-        scene->set_parameter("broad_phase", name);
-        EXPECT_EQ(name_of(scene->world().broad_phase()), name);
+        scene->set_parameter("broad_phase", std::string(name_of(type)));
+        EXPECT_EQ(scene->world().broad_phase(), type);
         step(*scene, 10);
     }
-    EXPECT_EQ(scene->world().hash(), hash_after(*make(), 40));
+    EXPECT_EQ(scene->world().hash(), hash_after(*make(), 10 * static_cast<int>(all_broad_phases.size())));
 }
 
 TEST_P(EveryScene, drawing_changes_nothing)

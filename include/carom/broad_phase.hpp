@@ -1,7 +1,9 @@
 // Which broad phase a world uses to find the shapes that are near each other. All find the same pairs.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace carom
@@ -9,16 +11,23 @@ namespace carom
 
 enum class BroadPhaseType
 {
-    BruteForce,    ///< every pair: the reference
-    QuadtreeNaive, ///< a shape in every node that it touches, pairs in a hash set: what one writes first
-    Quadtree,      ///< a flat quadtree, a shape once in the deepest node that holds it
-    Tree           ///< a wide tree of bounding boxes: the default and the fastest
+    BruteForce,      ///< every pair: the reference
+    QuadtreeNaive,   ///< a shape in every leaf that it touches, pairs in a hash set: what one writes first. A step allocates
+    QuadtreeWithSet, ///< a flat quadtree, a shape once in the deepest node that holds it, pairs still in a hash set. A step allocates
+    Quadtree,        ///< the same without the set
+    Tree             ///< a wide tree of bounding boxes: the default and the fastest
 };
 
-/// "BruteForce", "QuadtreeNaive", "Quadtree", "Tree".
-std::string_view name_of(BroadPhaseType type);
+/// From the simplest to the fastest.
+inline constexpr std::array all_broad_phases = {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::QuadtreeWithSet,
+                                                BroadPhaseType::Quadtree, BroadPhaseType::Tree};
 
-/// Options of the two quadtrees; the others do not read them.
+/// "BruteForce", "QuadtreeNaive", "QuadtreeWithSet", "Quadtree", "Tree".
+std::string_view name_of(BroadPhaseType type);
+/// The one that name_of gives this name; empty when there is none.
+std::optional<BroadPhaseType> broad_phase_named(std::string_view name);
+
+/// Options of the three quadtrees; the others do not read them.
 struct BroadPhaseOptions
 {
     int quadtree_max_depth = 5;     ///< levels below the root, 0 to 10

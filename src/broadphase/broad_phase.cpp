@@ -4,6 +4,7 @@
 #include "broadphase/brute_force.hpp"
 #include "broadphase/quadtree.hpp"
 #include "broadphase/quadtree_naive.hpp"
+#include "broadphase/quadtree_with_set.hpp"
 #include "broadphase/tree.hpp"
 
 #include <new>
@@ -17,10 +18,18 @@ std::string_view name_of(BroadPhaseType type)
     {
     case BroadPhaseType::BruteForce: return "BruteForce";
     case BroadPhaseType::QuadtreeNaive: return "QuadtreeNaive";
+    case BroadPhaseType::QuadtreeWithSet: return "QuadtreeWithSet";
     case BroadPhaseType::Quadtree: return "Quadtree";
     case BroadPhaseType::Tree: return "Tree";
     }
     return "";
+}
+
+std::optional<BroadPhaseType> broad_phase_named(std::string_view name)
+{
+    for (const BroadPhaseType type : all_broad_phases)
+        if (name_of(type) == name) return type;
+    return std::nullopt;
 }
 
 } // namespace carom
@@ -52,6 +61,7 @@ BroadPhasePtr make_broad_phase(BroadPhaseType type, const BroadPhaseOptions& opt
     {
     case BroadPhaseType::BruteForce: return make<BruteForce>(options, memory);
     case BroadPhaseType::QuadtreeNaive: return make<QuadtreeNaive>(options, memory);
+    case BroadPhaseType::QuadtreeWithSet: return make<QuadtreeWithSet>(options, memory);
     case BroadPhaseType::Quadtree: return make<Quadtree>(options, memory);
     case BroadPhaseType::Tree: break;
     }

@@ -66,7 +66,8 @@ protected:
 };
 
 /// Keeps the (fattened) boxes of proxies. The boxes are any finite ones: huge, empty of area, all negative.
-/// After its arrays have grown to the size of the work, no call allocates (but QuadtreeNaive's, whose set makes a node a pair).
+/// After its arrays have grown to the size of the work, no call allocates, but those of QuadtreeNaive and
+/// QuadtreeWithSet, whose sets make a cell for each pair.
 class BroadPhase
 {
 public:

@@ -1,7 +1,8 @@
-// Building the flat quadtree by sorting, and finding the pairs along its branches.
+// Building the flat quadtree by sorting, and queries that walk it.
 #include "broadphase/quadtree.hpp"
 
 #include "broadphase/quadtree_layout.hpp"
+#include "broadphase/quadtree_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,18 +26,7 @@ Quadtree::Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& 
 void Quadtree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
 {
     const std::size_t pairs_before = pairs.size();
-    stats_ = {};
-    table_.set_moved(moved, true);
-    build_all();
-    for (const Node& node : nodes_)
-    {
-        if (!node.has_moved) continue;
-        pair_within(node, pairs);
-        if (node.own_end == node.end) continue;
-        for (std::uint32_t i = node.begin; i < node.own_end; ++i) pair_below(node, sorted_[i], pairs);
-    }
-    table_.set_moved(moved, false);
-    stats_.nodes = nodes_.size();
+    search(moved, [&pairs](ProxyPair pair) { pairs.push_back(pair); });
     stats_.pairs_found = pairs.size() - pairs_before;
 }
 
@@ -200,53 +190,6 @@ void Quadtree::visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const
     for (const ProxyIndex proxy : changed_.list())
         if (table_.holds(proxy) && !visit(table_.entry_of(proxy))) return;
     walk([&](const Aabb& bounds) { return sweep.meets(bounds, most).is_met; }, visit);
-}
-
-/// Pairs among the node's own shapes.
-void Quadtree::pair_within(const Node& node, std::pmr::vector<ProxyPair>& pairs)
-{
-    for (std::uint32_t i = node.begin; i < node.own_end; ++i)
-    {
-        const Entry& self = sorted_[i];
-        if (!self.is_moved) continue;
-        for (std::uint32_t j = node.begin; j < node.own_end; ++j)
-        {
-            const Entry& other = sorted_[j];
-            const bool is_seen_from_other = other.is_moved && j <= i; // itself, too
-            if (is_seen_from_other || !is_candidate(self, other)) continue;
-            ++stats_.pairs_tested;
-            if (overlaps_branchless(self.box, other.box)) pairs.push_back(ordered_pair(self.proxy, other.proxy));
-        }
-    }
-}
-
-/// Pairs of one of the node's own shapes with those below the node.
-void Quadtree::pair_below(const Node& node, const Entry& self, std::pmr::vector<ProxyPair>& pairs)
-{
-    std::array<std::uint32_t, 4 * quadtree::deepest> stack; // at most three siblings wait at each depth
-    std::size_t stack_size = 0;
-    const auto push_children = [&](std::uint32_t index)
-    {
-        for (unsigned quadrant = 0; quadrant < 4; ++quadrant)
-        {
-            const std::uint32_t place = place_of(quadtree::child_of(index, quadrant));
-            if (place == absent || !(self.is_moved | nodes_[place].has_moved)) continue;
-            if (overlaps(nodes_[place].bounds, self.box)) stack[stack_size++] = place;
-        }
-    };
-
-    push_children(node.index);
-    while (stack_size > 0)
-    {
-        const Node& below = nodes_[stack[--stack_size]];
-        for (std::uint32_t i = below.begin; i < below.own_end; ++i)
-        {
-            if (!is_candidate(self, sorted_[i])) continue;
-            ++stats_.pairs_tested;
-            if (overlaps_branchless(self.box, sorted_[i].box)) pairs.push_back(ordered_pair(self.proxy, sorted_[i].proxy));
-        }
-        if (below.own_end < below.end) push_children(below.index);
-    }
 }
 
 void Quadtree::list_nodes(std::vector<BroadPhaseNode>& nodes) const

@@ -10,7 +10,7 @@ namespace carom::detail
 
 /// Built anew each time, without inserting anything one by one: a shape's node follows from the cells of its two corners, sorting the
 /// shapes by node in depth-first order makes every node's shapes, and every subtree's, one contiguous range.
-class Quadtree final : public BroadPhase
+class Quadtree : public BroadPhase
 {
 public:
     Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& memory);
@@ -21,6 +21,12 @@ public:
     void update(ProxyIndex proxy, const Aabb& box) override;
     void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
+
+protected:
+    /// Builds the tree and finds the pairs, each once; all of `stats_` but pairs_found. Defined in quadtree_search.hpp.
+    /// @param found is called with each pair, in the order of the tree
+    template <class Found>
+    void search(std::span<const ProxyIndex> moved, Found found);
 
 private:
     using Entry = ProxyTable::Entry;
@@ -48,8 +54,10 @@ private:
     void build();
     std::uint32_t build_node(std::uint32_t index, int depth, std::uint32_t begin, std::uint32_t end);
     void enlist(std::uint32_t index, std::uint32_t place);
-    void pair_within(const Node& node, std::pmr::vector<ProxyPair>& pairs);
-    void pair_below(const Node& node, const Entry& self, std::pmr::vector<ProxyPair>& pairs);
+    template <class Found>
+    void pair_within(const Node& node, Found found);
+    template <class Found>
+    void pair_below(const Node& node, const Entry& self, Found found);
     std::uint32_t place_of(std::uint32_t index) const { return index < directory_.size() ? directory_[index] : absent; }
 
     static constexpr std::uint32_t absent = 0; ///< the root is nobody's child

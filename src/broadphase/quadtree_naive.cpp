@@ -12,7 +12,7 @@ QuadtreeNaive::QuadtreeNaive(const BroadPhaseOptions& options, std::pmr::memory_
       table_(memory),
       pool_(&memory),
       nodes_(&pool_),
-      found_(&pool_)
+      found_(&memory)
 {
 }
 

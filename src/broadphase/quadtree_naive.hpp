@@ -1,6 +1,7 @@
 // What one writes first: nodes divide, a shape is in every leaf that it touches, and a hash set drops the pairs found twice.
 #pragma once
 
+#include "broadphase/pair_hash.hpp"
 #include "broadphase/proxy_table.hpp"
 
 #include <unordered_set>
@@ -8,8 +9,8 @@
 namespace carom::detail
 {
 
-/// Kept for the laboratory: the distance from here to `Quadtree` is what layout and "a shape once" are worth. Its nodes stand only for the
-/// time of a search for pairs; queries look at every box.
+/// Kept for the laboratory: the distance from here to `QuadtreeWithSet` is what layout and "a shape once" are worth. Its nodes stand only for the
+/// time of a search for pairs; queries look at every box. The set makes a cell for each pair, taken from the world's memory one by one.
 class QuadtreeNaive final : public BroadPhase
 {
 public:
@@ -37,11 +38,6 @@ private:
         std::pmr::vector<std::uint32_t> shapes; ///< places in the table; of a leaf only
     };
 
-    struct PairHash
-    {
-        std::size_t operator()(const ProxyPair& pair) const { return std::hash<std::uint64_t>()(std::uint64_t{pair.a} << 32 | pair.b); }
-    };
-
     std::uint32_t add_node(const Aabb& bounds, int depth);
     void insert_below(std::uint32_t node, std::uint32_t shape);
     void divide(std::uint32_t node);
@@ -50,7 +46,7 @@ private:
     int max_depth_;
     std::size_t node_capacity_;
     ProxyTable table_;
-    std::pmr::unsynchronized_pool_resource pool_; ///< keeps the blocks of nodes and hash cells from step to step
+    std::pmr::unsynchronized_pool_resource pool_; ///< keeps the blocks of nodes from step to step
     std::pmr::vector<Node> nodes_;                ///< only the first node_count_ are in use; the rest keep their memory
     std::size_t node_count_ = 0;
     std::pmr::unordered_set<ProxyPair, PairHash> found_;

@@ -78,9 +78,7 @@ TEST_P(BroadPhaseStatsTest, of_a_world_that_is_at_rest_while_the_broad_phase_is_
     EXPECT_EQ(shown_nodes(), nodes) << "they are made though nothing has moved";
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, BroadPhaseStatsTest,
-                         testing::Values(BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree,
-                                         BroadPhaseType::Tree),
+INSTANTIATE_TEST_SUITE_P(Types, BroadPhaseStatsTest, testing::ValuesIn(all_broad_phases),
                          [](const auto& type) { return std::string(name_of(type.param)); });
 
 } // namespace carom

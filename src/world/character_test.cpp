@@ -392,8 +392,7 @@ TEST(Character, NeverOverlapsInRandomWorlds)
 TEST(Character, MovesToTheSameBitsWhateverTheBroadPhase)
 {
     Vec2 expected;
-    for (const BroadPhaseType type :
-         {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree, BroadPhaseType::Tree})
+    for (const BroadPhaseType type : all_broad_phases)
     {
         World world({.broad_phase = type});
         detail::RandomShapes random(92);

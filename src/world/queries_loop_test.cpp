@@ -18,16 +18,13 @@ namespace carom
 namespace
 {
 
-constexpr std::array broad_phases = {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree,
-                                     BroadPhaseType::Tree};
-
 /// The same world with each broad phase, edited and stepped alike.
 class Worlds
 {
 public:
     explicit Worlds(std::uint32_t seed) : random(seed)
     {
-        for (const BroadPhaseType type : broad_phases) worlds.emplace_back(WorldDef{.gravity = {0, -3}, .broad_phase = type});
+        for (const BroadPhaseType type : all_broad_phases) worlds.emplace_back(WorldDef{.gravity = {0, -3}, .broad_phase = type});
     }
 
     void edit()
@@ -67,7 +64,7 @@ public:
 
     detail::RandomShapes random;
     std::vector<World> worlds;
-    std::vector<std::array<BodyId, broad_phases.size()>> bodies;
+    std::vector<std::array<BodyId, all_broad_phases.size()>> bodies;
 };
 
 /// Calls action(shape, its geometry, its transform) for all that a query without sensors may see.

@@ -31,8 +31,7 @@ namespace carom
 
 TEST(Queries, NothingIsAllocatedButLists)
 {
-    for (const BroadPhaseType type :
-         {BroadPhaseType::BruteForce, BroadPhaseType::QuadtreeNaive, BroadPhaseType::Quadtree, BroadPhaseType::Tree})
+    for (const BroadPhaseType type : all_broad_phases)
     {
         World world({.broad_phase = type});
         detail::RandomShapes random(83);

@@ -162,7 +162,7 @@ void RandomApi::edit_world()
             const int depth = draw_.random.one_in(10) ? 99 : draw_.random.below(7);
             const int capacity = draw_.random.one_in(10) ? 0 : 1 + draw_.random.below(20);
             draw_.expect(depth <= 10 && capacity >= 1);
-            world_.set_broad_phase(draw_.one_of<BroadPhaseType>(4, 10), {depth, capacity});
+            world_.set_broad_phase(draw_.one_of<BroadPhaseType>(static_cast<int>(all_broad_phases.size()), 10), {depth, capacity});
             EXPECT_EQ(world_.hash(), before);
         });
         return;

@@ -4,7 +4,7 @@ import unittest
 from driver import GalleryTest, changed, count, where
 
 EXTRA = 72  # bodies of the scene `gravity` beside the pyramid's: the ground, the pile and the ball
-BROAD_PHASES = ["BruteForce", "QuadtreeNaive", "Quadtree", "Tree"]
+BROAD_PHASES = ["BruteForce", "QuadtreeNaive", "QuadtreeWithSet", "Quadtree", "Tree"]
 
 
 def pyramid(rows):
