@@ -117,7 +117,7 @@ void Canvas::Release::operator()(_cairo_surface* surface) const { cairo_surface_
 
 void Canvas::Release::operator()(_cairo* context) const { cairo_destroy(context); }
 
-Canvas::Canvas(Viewport size)
+Canvas::Canvas(Viewport size, Quality quality)
     : size_(size),
       surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)),
       context_(cairo_create(surface_.get()))
@@ -125,6 +125,11 @@ Canvas::Canvas(Viewport size)
     const cairo_status_t status = cairo_status(context_.get());
     if (status != CAIRO_STATUS_SUCCESS) throw Failure(std::string("can't make a picture: ") + cairo_status_to_string(status));
     cairo_select_font_face(context_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    if (quality == Quality::Quick)
+    {
+        cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);
+        cairo_set_tolerance(context_.get(), 1); // [pixels]
+    }
     cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
 }
 

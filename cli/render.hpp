@@ -15,12 +15,18 @@ struct _cairo_surface;
 namespace carom::cli
 {
 
+enum class Quality
+{
+    Fine, ///< smooth edges
+    Quick ///< a pixel is covered or not, and curves are coarse
+};
+
 /// A picture that can be drawn again and again.
 class Canvas
 {
 public:
     /// @throws Failure when there is no memory for it
-    explicit Canvas(scenes::Viewport size);
+    explicit Canvas(scenes::Viewport size, Quality quality = Quality::Fine);
 
     scenes::Viewport size() const { return size_; }
     /// Paints over all that was there.

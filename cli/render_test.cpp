@@ -31,12 +31,12 @@ Pixel pixel_at(Canvas& canvas, Vec2 world)
 }
 
 /// A red shape on black.
-Canvas drawn(const Geometry& geometry, const Transform& transform)
+Canvas drawn(const Geometry& geometry, const Transform& transform, Quality quality = Quality::Fine)
 {
     scenes::DrawList list;
     list.background = scenes::rgb(0, 0, 0);
     list.shape(scenes::Layer::Bodies, geometry, transform, {.fill = scenes::rgb(1, 0, 0), .line = scenes::rgb(1, 0, 0)});
-    Canvas canvas(size);
+    Canvas canvas(size, quality);
     canvas.draw(list, camera);
     return canvas;
 }
@@ -77,6 +77,23 @@ TEST(Render, capsules_have_round_ends)
     EXPECT_EQ(pixel_at(canvas, {6.2f, 5}), red);
     EXPECT_EQ(pixel_at(canvas, {10, 5.8f}), red);
     EXPECT_EQ(pixel_at(canvas, {13.85f, 5.85f}), black);
+}
+
+TEST(Render, quick_pictures_show_the_same_without_smooth_edges)
+{
+    const auto between = [](Quality quality)
+    {
+        Canvas canvas = drawn(circle(3), {.p = {10, 5}, .q = {}}, quality);
+        EXPECT_EQ(pixel_at(canvas, {10, 5}), red);
+        EXPECT_EQ(pixel_at(canvas, {12.7f, 5}), red);
+        EXPECT_EQ(pixel_at(canvas, {12.6f, 7.6f}), black);
+        int count = 0;
+        for (float x = 5; x < 15; x += 0.1f)
+            for (float y = 0.1f; y < 10; y += 0.1f) count += pixel_at(canvas, {x, y}) != red && pixel_at(canvas, {x, y}) != black;
+        return count;
+    };
+    EXPECT_GT(between(Quality::Fine), 30);
+    EXPECT_EQ(between(Quality::Quick), 0);
 }
 
 TEST(Render, each_picture_starts_afresh)

@@ -50,6 +50,7 @@ EngineRun run_from(const ordered_json& json)
     json.at("differences").get_to(run.differences);
     json.at("step_ms").get_to(run.step_ms);
     if (json.contains("event_ms")) json.at("event_ms").get_to(run.event_ms);
+    if (json.contains("draw_ms")) json.at("draw_ms").get_to(run.draw_ms);
     if (json.contains("ray_ms")) json.at("ray_ms").get_to(run.ray_ms);
     if (json.contains("ray_hits")) run.ray_hits = json.at("ray_hits").get<int>();
     for (const ordered_json& sample : json.at("samples")) run.samples.push_back(sample_from(sample));
@@ -63,6 +64,13 @@ EngineRun run_from(const ordered_json& json)
 } // namespace
 
 double EngineRun::mean_ms() const { return std::accumulate(step_ms.begin(), step_ms.end(), 0.0) / static_cast<double>(step_ms.size()); }
+
+std::vector<double> EngineRun::frame_ms() const
+{
+    std::vector<double> frames = step_ms;
+    for (std::size_t i = 0; i < std::min(frames.size(), draw_ms.size()); ++i) frames[i] += draw_ms[i];
+    return frames;
+}
 
 std::vector<double> EngineRun::curve(int parts) const
 {
@@ -85,6 +93,7 @@ std::string to_json(const EngineRun& run)
     for (const Sample& sample : run.samples) samples.push_back(json_of(sample));
     ordered_json json = {{"engine", run.engine}, {"version", run.version}, {"differences", run.differences}, {"step_ms", run.step_ms}};
     if (!run.event_ms.empty()) json["event_ms"] = run.event_ms;
+    if (!run.draw_ms.empty()) json["draw_ms"] = run.draw_ms;
     if (!run.ray_ms.empty()) json["ray_ms"] = run.ray_ms;
     if (run.ray_hits) json["ray_hits"] = *run.ray_hits;
     if (!run.counters.empty()) json["counters"] = run.counters;

@@ -45,12 +45,15 @@ struct EngineRun
     std::vector<std::string> differences;        ///< of its settings from those that the file asks for
     std::vector<double> step_ms;                 ///< of every step [ms]
     std::vector<double> event_ms = {};           ///< before every step, for what the file's events ask for; empty without events [ms]
+    std::vector<double> draw_ms = {};            ///< after every step, for drawing the picture; empty when nothing is drawn [ms]
     std::vector<double> ray_ms = {};             ///< after every step, for all rays; empty without rays [ms]
     std::optional<int> ray_hits = {};            ///< rays that met something after the last step
     std::vector<Sample> samples;                 ///< by step
     std::map<std::string, double> counters = {}; ///< what else an engine counts, by name; may be left out
 
     double mean_ms() const;
+    /// Of every step and the drawing of its picture [ms].
+    std::vector<double> frame_ms() const;
     /// Means of `parts` equal parts of the run, or of every step when there are fewer.
     std::vector<double> curve(int parts) const;
 };

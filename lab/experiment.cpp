@@ -76,6 +76,7 @@ void run_once(const Plan& plan, const PlannedCase& one, const Engine& engine, Se
         result.differences = run.differences;
         result.run_ms.push_back(run.mean_ms());
         series.curves.push_back(run.curve(curve_parts));
+        if (plan.on_run) plan.on_run(engine, run);
         series.last = std::move(run);
     }
     catch (const std::runtime_error& error)

@@ -39,6 +39,8 @@ struct Plan
     int runs = 5;                       ///< rounds: in each every engine runs once
     double most_seconds = 600;          ///< that a run may take
     std::filesystem::path scratch = {}; ///< a folder for the engines' results
+    /// Sees every good run; may be empty.
+    std::function<void(const Engine&, const EngineRun&)> on_run = {};
 };
 
 /// Where an experiment stands.

@@ -2,6 +2,7 @@
 #include "lab/own_run.hpp"
 
 #include "lab/sampling.hpp"
+#include "lab/scene_file/painting.hpp"
 #include "lab/scene_file/player.hpp"
 
 #include <carom/version.hpp>
@@ -68,6 +69,32 @@ private:
     std::size_t memory_ = 0;
 };
 
+/// Draws the world as it is.
+class Pictures
+{
+public:
+    Pictures(const SceneFile& file, const World& world, const OwnRunOptions& options)
+        : options_(options),
+          camera_(FilePainting::camera_of(file, world)),
+          painting_(file)
+    {
+    }
+
+    void draw(const World& world, const FilePlayback& playback)
+    {
+        painting_.paint_new_bodies(world, playback);
+        list_.clear();
+        painting_.draw(world, camera_, list_);
+        options_.draw(list_, camera_);
+    }
+
+private:
+    const OwnRunOptions& options_;
+    scenes::Camera camera_;
+    FilePainting painting_;
+    scenes::DrawList list_;
+};
+
 } // namespace
 
 EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRunOptions& options)
@@ -82,6 +109,7 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
     FilePlayback playback(file, name);
     playback.begin(world);
     Counts counts;
+    Pictures pictures(file, world, options);
     for (int step = 0; step < file.steps; ++step)
     {
         const double event_ms = timed_ms([&] { playback.before_step(world, step); });
@@ -89,6 +117,7 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
         run.step_ms.push_back(timed_ms([&] { report = world.step(file.time_step, file.substeps); }));
         counts.add(report, 2 * step >= file.steps);
         if (!file.events.empty()) run.event_ms.push_back(event_ms);
+        if (options.draw) run.draw_ms.push_back(timed_ms([&] { pictures.draw(world, playback); }));
         if (!file.rays.empty()) run.ray_ms.push_back(timed_ms([&] { run.ray_hits = playback.cast_rays(world).hits; }));
         if (is_sampled(step, file.steps, options.samples)) run.samples.push_back(sample_of(world, playback, step + 1));
     }

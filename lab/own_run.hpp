@@ -3,8 +3,12 @@
 
 #include "lab/engine_run.hpp"
 #include "lab/scene_file/model.hpp"
+#include "scenes/camera.hpp"
+#include "scenes/draw_list.hpp"
 
 #include <carom/broad_phase.hpp>
+
+#include <functional>
 
 namespace carom::lab
 {
@@ -14,9 +18,11 @@ struct OwnRunOptions
     int threads = 1;
     int samples = 10; ///< moments at which it is told where the bodies are, the last one at the end
     BroadPhaseType broad_phase = BroadPhaseType::Tree;
+    /// Draws the picture after each step; its time, and that of filling the list, is told beside the step's. Empty: nothing is drawn.
+    std::function<void(const scenes::DrawList&, const scenes::Camera&)> draw = {};
 };
 
-/// Steps the scene as often as it says. A step's time is the world's own: events and rays are not in it. Counts, as means of a step: pairs_tested,
+/// Steps the scene as often as it says. A step's time is the world's own: events, rays and drawing are not in it. Counts, as means of a step: pairs_tested,
 /// find_pairs_ms, allocations (over the second half, when the world no longer grows); and memory_bytes, the most that the world held.
 /// @param name of the file, for messages
 /// @throws SceneFileError when something in the file does not hold

@@ -61,6 +61,31 @@ TEST(OwnRun, the_broad_phase_does_not_show)
     EXPECT_EQ(to_json(tree), to_json(brute));
 }
 
+TEST(OwnRun, draws_after_each_step_when_it_is_asked_to_and_goes_the_same_way)
+{
+    SceneFile file = make_field_scene(*find_field_scene("mixed_50"), {.size = 20, .seed = 3});
+    file.steps = 10;
+    std::vector<std::size_t> shapes;
+    const auto draw = [&](const scenes::DrawList& list, const scenes::Camera& camera)
+    {
+        shapes.push_back(list.layers()[static_cast<std::size_t>(scenes::Layer::Bodies)].shapes.size());
+        EXPECT_GT(camera.height, 0);
+    };
+    EngineRun drawn = run_carom(file, "mixed", {.draw = draw});
+    EngineRun plain = run_carom(file, "mixed");
+    ASSERT_EQ(shapes.size(), 10u);
+    EXPECT_GE(shapes.front(), 20u);
+    EXPECT_EQ(shapes.back(), shapes.front()) << "a list is emptied before it is filled anew";
+    ASSERT_EQ(drawn.draw_ms.size(), 10u);
+    EXPECT_TRUE(plain.draw_ms.empty());
+    EXPECT_DOUBLE_EQ(drawn.frame_ms()[3], drawn.step_ms[3] + drawn.draw_ms[3]);
+    EXPECT_EQ(plain.frame_ms(), plain.step_ms);
+    drawn.draw_ms.clear();
+    drawn.step_ms = plain.step_ms = {1};
+    drawn.counters = plain.counters;
+    EXPECT_EQ(to_json(drawn), to_json(plain));
+}
+
 TEST(OwnRun, says_that_it_steps_on_one_thread)
 {
     SceneFile file = make_field_scene(*find_field_scene("stack_20"), {.size = 2, .seed = 1});

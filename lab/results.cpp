@@ -2,6 +2,7 @@
 #include "lab/results.hpp"
 
 #include "lab/build_info.hpp"
+#include "lab/results_json.hpp"
 
 #include <carom/version.hpp>
 
@@ -10,7 +11,6 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <sys/utsname.h>
@@ -34,12 +34,6 @@ Outcome outcome_named(const std::string& name)
     const auto place = std::find(outcome_names.begin(), outcome_names.end(), name);
     if (place == outcome_names.end()) throw std::runtime_error("outcome \"" + name + "\" is not known");
     return static_cast<Outcome>(place - outcome_names.begin());
-}
-
-ordered_json json_of(const Origin& o)
-{
-    return {{"date", o.date},         {"processor", o.processor}, {"cores", o.cores},   {"system", o.system},
-            {"compiler", o.compiler}, {"flags", o.flags},         {"commit", o.commit}, {"version", o.version}};
 }
 
 ordered_json json_of(const EngineResult& e)
@@ -117,6 +111,12 @@ std::string system_name()
 }
 
 } // namespace
+
+ordered_json json_of(const Origin& o)
+{
+    return {{"date", o.date},         {"processor", o.processor}, {"cores", o.cores},   {"system", o.system},
+            {"compiler", o.compiler}, {"flags", o.flags},         {"commit", o.commit}, {"version", o.version}};
+}
 
 std::string name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 

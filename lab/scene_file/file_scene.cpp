@@ -1,4 +1,4 @@
-// Plays a scene file into a scene's world, and paints its bodies by their numbers.
+// Plays a scene file into a scene's world.
 #include "lab/scene_file/file_scene.hpp"
 
 #include "lab/scene_file/check.hpp"
@@ -10,7 +10,6 @@
 namespace carom::lab
 {
 
-using scenes::Color;
 using scenes::SceneInfo;
 
 namespace
@@ -21,31 +20,6 @@ scenes::Parameters parameters_of(const SceneInfo& info, const scenes::ParameterV
     scenes::Parameters parameters(info.parameters);
     for (const auto& [name, value] : values) parameters.set(name, value);
     return parameters;
-}
-
-/// Hues that lie far apart for numbers that lie near.
-Color color_of(int number)
-{
-    const float turns = 0.618034f * static_cast<float>(number % 1000);
-    return scenes::from_hue(turns - std::floor(turns), 0.5f, 0.56f);
-}
-
-/// Shows all that can move, or all that there is.
-scenes::Camera camera_around(const World& world)
-{
-    std::optional<Aabb> moving;
-    std::optional<Aabb> all;
-    for (const BodyId id : world.bodies())
-    {
-        const BodyView body = world.body(id);
-        const Aabb bounds = body.bounds();
-        all = all ? merge(*all, bounds) : bounds;
-        if (body.type() != BodyType::Static) moving = moving ? merge(*moving, bounds) : bounds;
-    }
-    if (!all) return {};
-    const Aabb box = moving.value_or(*all);
-    const Vec2 size = box.max - box.min;
-    return {box.center(), std::max({1.2f * size.y, 0.7f * size.x, 1.0f})};
 }
 
 FileSceneParts parts_of(SceneFile file, std::string source, const std::vector<scenes::ParameterInfo>& own_parameters)
@@ -81,11 +55,12 @@ FileScene::FileScene(SceneFile scene_file, std::string source_name, const scenes
     : FileSceneParts(parts_of(std::move(scene_file), std::move(source_name), own_parameters)),
       PaintedScene({scene_info, parameters_of(scene_info, values), 1}, FilePlayback::world_def(file)),
       playback_(file, source),
+      painting_(file),
       file_rate_(scenes::Parameters(scene_info.parameters).real("step_rate"))
 {
     playback_.begin(world());
-    paint_new_bodies();
-    camera_ = file.view ? scenes::Camera{file.view->center, file.view->height} : camera_around(world());
+    painting_.paint_new_bodies(world(), playback_);
+    camera_ = FilePainting::camera_of(file, world());
 }
 
 float FileScene::step_length() const { return real("step_rate") == file_rate_ ? file.time_step : time_step(); }
@@ -93,7 +68,7 @@ float FileScene::step_length() const { return real("step_rate") == file_rate_ ? 
 void FileScene::before_step()
 {
     playback_.before_step(world(), next_step_++);
-    paint_new_bodies();
+    painting_.paint_new_bodies(world(), playback_);
 }
 
 void FileScene::after_step(const StepReport&)
@@ -101,28 +76,7 @@ void FileScene::after_step(const StepReport&)
     if (!file.rays.empty()) rays_ = playback_.cast_rays(world());
 }
 
-void FileScene::paint_new_bodies()
-{
-    for (; painted_ < playback_.body_count(); ++painted_)
-    {
-        const std::optional<BodyView> body = std::as_const(world()).find_body(playback_.body(painted_));
-        if (!body || body->type() == BodyType::Static) continue;
-        for (const ShapeId shape : body->shapes()) colors_[shape] = color_of(painted_);
-    }
-}
-
-void FileScene::on_draw(scenes::DrawList& list) const
-{
-    scenes::draw_painted(world(), colors_, list);
-    constexpr float largest_pin = 0.08f; // [m]
-    scenes::draw_joints(world(), list, std::min(0.006f * camera_.height, largest_pin));
-    for (const Ray& ray : file.rays)
-    {
-        const std::optional<RayHit> hit = world().cast_ray(ray.start, ray.sweep);
-        const Vec2 end = hit ? hit->point : ray.start + ray.sweep;
-        list.line(scenes::Layer::Marks, ray.start, end, scenes::with_alpha(scenes::paper, 0.15f));
-    }
-}
+void FileScene::on_draw(scenes::DrawList& list) const { painting_.draw(world(), camera_, list); }
 
 std::string FileScene::status() const
 {

@@ -1,6 +1,7 @@
 // A scene file as a scene: it can be drawn, measured and filmed as the named ones can.
 #pragma once
 
+#include "lab/scene_file/painting.hpp"
 #include "lab/scene_file/player.hpp"
 #include "scenes/painted_scene.hpp"
 
@@ -38,12 +39,11 @@ private:
     void on_draw(scenes::DrawList& list) const override;
     std::string status() const override;
     float step_length() const override;
-    void paint_new_bodies();
 
     FilePlayback playback_;
+    FilePainting painting_;
     float file_rate_; ///< the parameter step_rate that stands for the file's own time step [1/s]
     int next_step_ = 0;
-    int painted_ = 0; ///< bodies that have their colours
     RayResult rays_;
 };
 
