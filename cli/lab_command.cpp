@@ -4,6 +4,7 @@
 #include "cli/errors.hpp"
 #include "cli/pending_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/render.hpp"
 #include "lab/engines.hpp"
 #include "lab/history.hpp"
 #include "lab/own_run.hpp"
@@ -19,6 +20,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,6 +31,8 @@ namespace
 {
 
 using std::filesystem::path;
+
+constexpr scenes::Viewport frame_size{640, 360}; // of the pictures whose drawing is measured
 
 std::vector<std::string> parts_of(const std::string& list)
 {
@@ -226,9 +230,12 @@ void lab_history_command(const LabHistoryRequest& request, const Surroundings& s
     const path out = request.out;
     const lab::HistoryPlan plan{
         .size = request.size, .steps = request.steps, .runs = request.runs, .carom = own_program(), .scratch = out / "scratch"};
-    const std::string text = history_text(lab::run_history(plan, teller(surroundings)));
+    const lab::History history = lab::run_history(plan, teller(surroundings));
     wipe_line(surroundings);
+    const std::string text = history_text(history);
     write_text(out / "history.txt", text);
+    write_text(out / "history.md", history_markdown(history));
+    write_text(out / "history.json", history_json(history));
     surroundings.out << text;
 }
 
@@ -239,7 +246,13 @@ void lab_step_command(const LabStepRequest& request)
         throw BadUsage("--broadphase: \"" + request.broad_phase + "\" is not known; " +
                        scenes::suggestion(request.broad_phase, scenes::broad_phase_names()));
     const lab::SceneFile file = lab::read_scene_file(request.scene);
-    const lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type};
+    lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type};
+    std::optional<Canvas> canvas;
+    if (request.draws)
+    {
+        canvas.emplace(frame_size, Quality::Quick);
+        options.draw = [&canvas](const scenes::DrawList& list, const scenes::Camera& camera) { canvas->draw(list, camera); };
+    }
     write_text(request.out, to_json(lab::run_carom(file, request.scene, options)));
 }
 

@@ -49,7 +49,8 @@ struct LabStepRequest
     int threads = 1;
     int samples = 10;
     std::string broad_phase = "Tree";
-    std::string out; ///< a file
+    bool draws = false; ///< the picture after each step
+    std::string out;    ///< a file
 };
 
 // All throw BadUsage and Failure.

@@ -75,6 +75,16 @@ TEST_F(LabCommandTest, steps_a_file_as_an_engine)
     EXPECT_EQ(run.samples.back().bodies.size(), 4u);
 }
 
+TEST_F(LabCommandTest, draws_what_it_steps)
+{
+    ASSERT_EQ(carom({"export", "stack_20", path("stack.json"), "--set", "size=3", "--steps", "5"}).status, 0);
+    const Outcome step = carom({"lab", "step", path("stack.json"), "--draw", "--out", path("run.json")});
+    EXPECT_EQ(step.status, 0) << step.err;
+    const lab::EngineRun run = lab::read_run(path("run.json"));
+    ASSERT_EQ(run.draw_ms.size(), 5u);
+    for (const double ms : run.draw_ms) EXPECT_GT(ms, 0.01) << "a picture is painted over";
+}
+
 TEST_F(LabCommandTest, compares_two_folders_of_results)
 {
     const Outcome slower = carom({"lab", "compare", results("a", 1), results("b", 1.05)});

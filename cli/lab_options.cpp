@@ -111,6 +111,7 @@ void add_step(CLI::App& lab)
     command->add_option("--broadphase", request->broad_phase, scenes::joined(scenes::broad_phase_names()))
         ->type_name("NAME")
         ->capture_default_str();
+    command->add_flag("--draw", request->draws, "Draw the picture after each step, and tell what that takes");
     command->add_option("--out", request->out, "The file to write")->type_name("RESULT.json")->required();
     command->callback([request] { lab_step_command(*request); });
 }

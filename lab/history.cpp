@@ -2,10 +2,10 @@
 #include "lab/history.hpp"
 
 #include "lab/field_scenes/field_scenes.hpp"
-#include "lab/report_tables.hpp"
 #include "lab/scene_file/writer.hpp"
 #include "lab/suites.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <stdexcept>
@@ -19,58 +19,52 @@ namespace
 struct Version
 {
     const char* name;
-    const char* broad_phase;
+    BroadPhaseType broad_phase;
+    const char* what;
 };
 
-constexpr std::array versions = {Version{"every pair", "BruteForce"}, Version{"naive quadtree, pairs in a hash set", "QuadtreeNaive"},
-                                 Version{"quadtree", "Quadtree"}, Version{"tree, Carom's default", "Tree"}};
+constexpr std::array versions = {
+    Version{"every pair", BroadPhaseType::BruteForce, "Each shape that has left its bounds is tested against every other."},
+    Version{"naive quadtree", BroadPhaseType::QuadtreeNaive,
+            "Shapes are inserted one by one, each into every leaf that it touches. Two that share leaves are found in each of them, so a "
+            "hash set "
+            "(std::unordered_set) drops what was found before."},
+    Version{
+        "flat quadtree, pairs in a set", BroadPhaseType::QuadtreeWithSet,
+        "The nodes lie in one array, built by sorting, and a shape lies once, in the deepest node that holds it. No pair can come twice, "
+        "but each still goes through the set."},
+    Version{"flat quadtree", BroadPhaseType::Quadtree, "The same search without the set: the quadtree as it ended."},
+    Version{
+        "tree, Carom's default", BroadPhaseType::Tree,
+        "A tree of bounding boxes with four children a node, kept from step to step, walked against itself, four boxes tested at once."}};
 
-double mean_of(const std::vector<double>& values)
-{
-    return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+Chapter chapter_of(const Version& version) { return {.name = version.name, .what = version.what, .broad_phase = version.broad_phase}; }
 
+/// As programs that draw what they step.
 std::vector<Engine> engines_of(const std::filesystem::path& carom)
 {
     std::vector<Engine> engines;
     for (const Version& version : versions)
-        engines.push_back(
-            {.name = version.name, .command = {carom.string(), "lab", "step", "--broadphase", version.broad_phase}, .missing = ""});
+        engines.push_back({.name = version.name,
+                           .command = {carom.string(), "lab", "step", "--draw", "--broadphase", std::string(name_of(version.broad_phase))},
+                           .missing = ""});
     return engines;
 }
 
-std::string interval_text(const Interval& interval) { return number_text(interval.low) + " to " + number_text(interval.high); }
-
-std::string p_text(double p) { return p < 1e-4 ? "< 0.0001" : number_text(p, 2); }
-
-Table version_table(const History& history)
+double mean_of(const std::vector<double>& values)
 {
-    Table table({"version", "ms a step", "find pairs", "share", "pairs tested a step", "memory", "allocations a step"});
-    for (const Chapter& chapter : history.chapters)
-    {
-        const double step = mean_of(chapter.frame_ms);
-        table.add({chapter.name, number_text(median(chapter.run_ms)), number_text(chapter.find_pairs_ms) + " ms",
-                   number_text(step > 0 ? 100 * chapter.find_pairs_ms / step : 0) + " %", number_text(chapter.pairs_tested),
-                   number_text(chapter.memory_bytes / 1e6) + " MB", number_text(chapter.allocations)});
-    }
-    return table;
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::string by_frames(const Chapter& before, const Chapter& after)
+void add_run(Chapter& chapter, const EngineRun& run)
 {
-    const TTest t = student_t_test(before.frame_ms, after.frame_ms);
-    return "  as its author did it, " + std::to_string(before.frame_ms.size()) + " and " + std::to_string(after.frame_ms.size()) +
-           " frames of one run each: Student's t = " + number_text(t.t) + ", p " + p_text(t.p) + ", difference " +
-           number_text(t.difference) + " ms, " + interval_text(t.interval) + " ms\n";
-}
-
-std::string by_runs(const Chapter& before, const Chapter& after)
-{
-    const Comparison c = compare(before.run_ms, after.run_ms);
-    return "  as it should be, " + std::to_string(before.run_ms.size()) + " runs of each in turns: Welch's t = " + number_text(c.welch.t) +
-           ", p " + p_text(c.welch.p) + ", difference " + number_text(c.welch.difference) + " ms, " + interval_text(c.welch.interval) +
-           " ms; Mann-Whitney p " + p_text(c.mann_whitney_p) + "; ratio of medians " + number_text(c.ratio) + ", " +
-           interval_text(c.interval) + ": " + std::string(name_of(c.verdict)) + (c.is_noisy ? " (the machine was noisy)" : "") + "\n";
+    chapter.frames_ms.push_back(run.frame_ms());
+    chapter.frame_ms.push_back(mean_of(chapter.frames_ms.back()));
+    chapter.step_ms.push_back(run.mean_ms());
+    chapter.find_pairs_ms.push_back(run.counters.at("find_pairs_ms"));
+    chapter.pairs_tested = run.counters.at("pairs_tested"); // the same in every run
+    chapter.memory_bytes = run.counters.at("memory_bytes");
+    chapter.allocations = run.counters.at("allocations");
 }
 
 } // namespace
@@ -83,48 +77,48 @@ History run_history(const HistoryPlan& plan, const std::function<void(const Prog
     const std::filesystem::path path = plan.scratch / "collisions.json";
     write_scene_file(path, file);
 
-    std::vector<EngineRun> last_runs;
-    const auto keep = [&](const PlannedCase&, const EngineRun& run) -> std::map<std::string, double>
-    {
-        last_runs.push_back(run);
-        return {};
-    };
+    History history{.origin = origin_here(),
+                    .scene = file.description,
+                    .steps = file.steps,
+                    .seconds = file.steps * static_cast<double>(file.time_step),
+                    .runs = plan.runs,
+                    .chapters = {}};
+    for (const Version& version : versions) history.chapters.push_back(chapter_of(version));
+
     Plan experiment{.suite = "history", .cases = {}, .engines = engines_of(plan.carom), .runs = plan.runs, .scratch = plan.scratch};
     experiment.cases = {
         {.scene = "collisions", .what = file.description, .bodies = body_count(file), .steps = file.steps, .threads = 1, .file = path}};
-    const Results results = run_experiment(experiment, keep, tell);
-
-    History history{.origin = results.origin, .scene = file.description, .steps = file.steps, .runs = plan.runs, .chapters = {}};
-    for (const EngineResult& engine : results.cases.front().engines)
+    experiment.on_run = [&history](const Engine& engine, const EngineRun& run)
     {
+        const auto is_it = [&](const Chapter& chapter) { return chapter.name == engine.name; };
+        add_run(*std::find_if(history.chapters.begin(), history.chapters.end(), is_it), run);
+    };
+    const Results results = run_experiment(experiment, {}, tell);
+    for (const EngineResult& engine : results.cases.front().engines)
         if (engine.outcome != Outcome::Done) throw std::runtime_error(engine.engine + ": " + engine.reason);
-        const EngineRun& run = last_runs[history.chapters.size()];
-        history.chapters.push_back({.name = engine.engine,
-                                    .run_ms = engine.run_ms,
-                                    .frame_ms = run.step_ms,
-                                    .find_pairs_ms = run.counters.at("find_pairs_ms"),
-                                    .pairs_tested = run.counters.at("pairs_tested"),
-                                    .memory_bytes = run.counters.at("memory_bytes"),
-                                    .allocations = run.counters.at("allocations")});
-    }
     return history;
 }
 
-std::string history_text(const History& history)
+Change change_to(const History& history, std::size_t after)
 {
-    Results origin;
-    origin.origin = history.origin;
-    origin.suite = "history";
-    origin.runs = history.runs;
-    std::string out = origin_line(origin) + "\n" + history.scene + " " + std::to_string(history.steps) + " steps.\n\n" +
-                      version_table(history).text() + "\n";
-    for (std::size_t i = 1; i < history.chapters.size(); ++i)
-    {
-        const Chapter& before = history.chapters[i - 1];
-        const Chapter& after = history.chapters[i];
-        out += before.name + " -> " + after.name + "\n" + by_frames(before, after) + by_runs(before, after);
-    }
-    return out;
+    const Chapter& a = history.chapters.at(after - 1);
+    const Chapter& b = history.chapters.at(after);
+    return {.frames_of_one_run = student_t_test(a.frames_ms.back(), b.frames_ms.back()),
+            .frames = compare(a.frame_ms, b.frame_ms),
+            .steps = compare(a.step_ms, b.step_ms)};
+}
+
+FalseAlarms false_alarms(const History& history)
+{
+    FalseAlarms alarms;
+    for (const Chapter& chapter : history.chapters)
+        for (std::size_t i = 0; i < chapter.frames_ms.size(); ++i)
+            for (std::size_t j = i + 1; j < chapter.frames_ms.size(); ++j)
+            {
+                ++alarms.pairs;
+                alarms.found += student_t_test(chapter.frames_ms[i], chapter.frames_ms[j]).p < 0.05;
+            }
+    return alarms;
 }
 
 } // namespace carom::lab

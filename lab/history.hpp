@@ -1,9 +1,11 @@
-// The story of the engine that Carom began as, measured again: from every pair to a tree, each step with the tests that its author made and those
+// The story of the engine that Carom began as, measured again: from every pair to a tree, each change with the tests that its author made and those
 // that he should have made.
 #pragma once
 
 #include "lab/comparison.hpp"
 #include "lab/experiment.hpp"
+
+#include <carom/broad_phase.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -13,16 +15,19 @@
 namespace carom::lab
 {
 
-/// One version of the search for pairs.
+/// One version of the search for pairs. A frame is a step and the drawing of its picture.
 struct Chapter
 {
     std::string name;
-    std::vector<double> run_ms;   ///< of each run the mean time a step [ms]
-    std::vector<double> frame_ms; ///< of every step of the last run [ms]
-    double find_pairs_ms = 0;     ///< mean of a step
-    double pairs_tested = 0;      ///< mean of a step
-    double memory_bytes = 0;      ///< the most that the world held
-    double allocations = 0;       ///< of a step, once the world is warm
+    std::string what; ///< a sentence
+    BroadPhaseType broad_phase = BroadPhaseType::Tree;
+    std::vector<std::vector<double>> frames_ms = {}; ///< of each run every frame [ms]
+    std::vector<double> frame_ms = {};               ///< of each run the mean of its frames [ms]
+    std::vector<double> step_ms = {};                ///< of each run the mean of its steps [ms]
+    std::vector<double> find_pairs_ms = {};          ///< of each run the mean of a step's search for pairs [ms]
+    double pairs_tested = 0;                         ///< mean of a step
+    double memory_bytes = 0;                         ///< the most that the world held
+    double allocations = 0;                          ///< of a step, once the world is warm
 };
 
 struct History
@@ -30,6 +35,7 @@ struct History
     Origin origin;
     std::string scene;
     int steps = 0;
+    double seconds = 0; ///< of simulated time
     int runs = 0;
     std::vector<Chapter> chapters; ///< from the first version to the last
 };
@@ -46,8 +52,28 @@ struct HistoryPlan
 /// @throws std::runtime_error when a run fails
 History run_history(const HistoryPlan& plan, const std::function<void(const Progress&)>& tell = {});
 
-/// The table of versions, and between neighbours the tests: Student's t of the frames of one run each, as the author did it, though frames of one run
-/// are correlated; and of runs Welch's t, the rank test and the bootstrap.
+/// What a version changed over the one before it.
+struct Change
+{
+    TTest frames_of_one_run; ///< Student's, as the author did it, though frames of one run are correlated
+    Comparison frames;       ///< of runs
+    Comparison steps;        ///< of runs: the physics alone
+};
+/// @param after from 1: the number of the later version
+Change change_to(const History& history, std::size_t after);
+
+/// The author's test between two runs of one version, where there is nothing to find.
+struct FalseAlarms
+{
+    int pairs = 0; ///< of runs, over all versions
+    int found = 0; ///< pairs in which it tells of a difference, with p < 0.05
+};
+FalseAlarms false_alarms(const History& history);
+
+/// The table of versions, what they are, and the tests between neighbours.
 std::string history_text(const History& history);
+std::string history_markdown(const History& history);
+/// The same, with every frame.
+std::string history_json(const History& history);
 
 } // namespace carom::lab
