@@ -8,6 +8,7 @@
 #include "lab/engines.hpp"
 #include "lab/history.hpp"
 #include "lab/own_run.hpp"
+#include "lab/plots.hpp"
 #include "lab/report.hpp"
 #include "lab/scene_file/reader.hpp"
 #include "lab/scene_file/writer.hpp"
@@ -96,6 +97,7 @@ std::vector<lab::PlannedCase> plan_cases(const lab::Suite& suite, const std::vec
                              .bodies = lab::body_count(file),
                              .steps = file.steps,
                              .threads = count,
+                             .samples = scene.samples,
                              .file = name});
     }
     return cases;
@@ -119,20 +121,24 @@ void wipe_line(const Surroundings& surroundings)
     if (surroundings.err_is_terminal) surroundings.err << "\r\033[K" << std::flush;
 }
 
-lab::Results measure(const lab::Plan& plan, const lab::Suite& suite, const Surroundings& surroundings)
+/// Keeps what is finished in `folder`, so that an experiment that is ended leaves the scenes that it has done.
+lab::Results measure(const lab::Plan& plan, const lab::Suite& suite, const path& folder, const Surroundings& surroundings)
 {
     const auto evaluate = [&](const lab::PlannedCase& one, const lab::EngineRun& run)
     { return lab::quality_of(lab::read_scene_file(one.file), run.samples, suite.traits_of(one.scene)); };
-    lab::Results results = lab::run_experiment(plan, evaluate, teller(surroundings));
+    const auto keep = [&](const lab::Results& part) { lab::write_results(part, folder); };
+    lab::Results results = lab::run_experiment(plan, evaluate, teller(surroundings), keep);
     wipe_line(surroundings);
+    lab::write_results(results, folder);
     return results;
 }
 
-const lab::Suite& suite_of(const std::string& name)
+lab::Suite suite_of(const std::string& name, const std::string& scenes)
 {
     try
     {
-        return lab::find_suite(name);
+        const lab::Suite& suite = lab::find_suite(name);
+        return scenes.empty() ? suite : suite.with_scenes(parts_of(scenes));
     }
     catch (const std::invalid_argument& error)
     {
@@ -159,10 +165,21 @@ void write_text(const path& file, const std::string& text)
     pending.commit();
 }
 
-void write_report(const lab::Report& report, const path& folder)
+/// A report as Markdown, with the plots that it shows in a folder beside it.
+void write_markdown(const lab::Report& report, const lab::Plots& plots, const path& file, const std::string& plot_folder)
 {
-    write_text(folder / "report.md", report_markdown(report));
-    write_text(folder / "report.html", report_html(report, folder / "scratch"));
+    const path folder = file.parent_path() / plot_folder;
+    std::filesystem::remove_all(folder); // plots of another report
+    std::filesystem::create_directories(folder);
+    for (const lab::Plot& plot : plots.drawn)
+        if (plot.is_summary) write_text(folder / plot.file, plot.svg);
+    write_text(file, report_markdown(report, plots, plot_folder));
+}
+
+void write_report(const lab::Report& report, const lab::Plots& plots, const path& folder)
+{
+    write_markdown(report, plots, folder / "report.md", "plots");
+    write_text(folder / "report.html", report_html(report, plots));
     write_text(folder / "report.json", report_json(report));
 }
 
@@ -170,19 +187,19 @@ void write_report(const lab::Report& report, const path& folder)
 
 void lab_run_command(const LabRunRequest& request, const Surroundings& surroundings)
 {
-    const lab::Suite& suite = suite_of(request.suite);
+    const lab::Suite suite = suite_of(request.suite, request.scenes);
     const path out = request.out;
     const path peers = request.peers.empty() ? own_program().parent_path() / ".." / ".." / "peers" / "bin" : path(request.peers);
     lab::Plan plan{.suite = suite.name,
                    .cases = {},
                    .engines = engines_of(request.engines, peers.lexically_normal()),
                    .runs = request.runs,
-                   .scratch = out / "scratch"};
+                   .scratch = out / "scratch",
+                   .is_interrupted = surroundings.is_interrupted};
     plan.cases = plan_cases(suite, threads_of(request.threads), out / "scenes");
-    const lab::Results results = measure(plan, suite, surroundings);
-    lab::write_results(results, out);
+    const lab::Results results = measure(plan, suite, out, surroundings);
     const lab::Report report = lab::evaluate(results);
-    write_report(report, out);
+    write_report(report, draw_plots(report, out / "scratch"), out);
     surroundings.out << report_text(report) << "\n" << (out / "report.html").string() << "\n";
 }
 
@@ -195,7 +212,10 @@ void lab_report_command(const LabReportRequest& request, const Surroundings& sur
         surroundings.out << report_json(report);
         return;
     }
-    write_report(report, request.folder);
+    const path folder = request.folder;
+    const lab::Plots plots = draw_plots(report, folder / "scratch");
+    write_report(report, plots, folder);
+    if (!request.markdown.empty()) write_markdown(report, plots, request.markdown, path(request.markdown).stem().string());
     surroundings.out << report_text(report) << "\n" << (path(request.folder) / "report.html").string() << "\n";
 }
 
@@ -212,16 +232,20 @@ void lab_compare_command(const LabCompareRequest& request, const Surroundings& s
         if (!std::filesystem::is_regular_file(program, ignored))
             throw BadUsage("\"" + program + "\" is neither a folder of results nor a program; give two of one kind");
     if (request.out.empty()) throw BadUsage("--out is missing: programs are measured, and their results go into a folder");
-    const lab::Suite& suite = suite_of(request.suite);
+    const lab::Suite suite = suite_of(request.suite, request.scenes);
     const path out = request.out;
-    lab::Plan plan{.suite = suite.name, .cases = {}, .engines = {}, .runs = request.runs, .scratch = out / "scratch"};
+    lab::Plan plan{.suite = suite.name,
+                   .cases = {},
+                   .engines = {},
+                   .runs = request.runs,
+                   .scratch = out / "scratch",
+                   .is_interrupted = surroundings.is_interrupted};
     plan.engines = {{.name = "A", .command = {request.a, "lab", "step"}, .missing = ""},
                     {.name = "B", .command = {request.b, "lab", "step"}, .missing = ""}};
     plan.cases = plan_cases(suite, {1}, out / "scenes");
-    const lab::Results results = measure(plan, suite, surroundings);
-    lab::write_results(results, out);
+    const lab::Results results = measure(plan, suite, out, surroundings);
     const lab::Report report = lab::evaluate(results, "A");
-    write_report(report, out);
+    write_report(report, draw_plots(report, out / "scratch"), out);
     surroundings.out << "A: " << request.a << "\nB: " << request.b << "\n" << report_text(report);
 }
 

@@ -12,6 +12,7 @@ namespace carom::cli
 struct LabRunRequest
 {
     std::string suite = "quick";
+    std::string scenes;                                 ///< names with commas between; empty for all of the suite
     std::string engines = "carom,box2d3,rapier,box2d2"; ///< names with commas between
     std::string threads = "1";                          ///< numbers with commas between
     int runs = 5;
@@ -24,6 +25,7 @@ struct LabReportRequest
     std::string folder;
     std::string base = "carom";
     bool is_json = false;
+    std::string markdown; ///< a further file for the text; its plots go into a folder beside it, of its name without the ending
 };
 
 struct LabCompareRequest
@@ -31,6 +33,7 @@ struct LabCompareRequest
     std::string a; ///< a folder of results, or a `carom` program
     std::string b;
     std::string suite = "quick"; ///< of programs
+    std::string scenes;          ///< of programs: names with commas between; empty for all of the suite
     int runs = 10;               ///< of programs
     std::string out;             ///< of programs: where the results go
 };

@@ -101,6 +101,9 @@ TEST_F(LabCommandTest, reports_in_every_format)
     EXPECT_EQ(report.status, 0) << report.err;
     for (const char* name : {"report.md", "report.html", "report.json"})
         EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "a" / name)) << name;
+    EXPECT_EQ(carom({"lab", "report", path("a"), "--markdown", path("benchmarks.md")}).status, 0);
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "benchmarks.md"));
+    EXPECT_TRUE(std::filesystem::is_directory(folder_ / "benchmarks"));
     const Outcome json = carom({"lab", "report", path("a"), "--json"});
     EXPECT_NEAR(nlohmann::json::parse(json.out)["cases"][0]["engines"][0]["median_ms"].get<double>(), 1.0035, 1e-9);
 }
@@ -115,6 +118,7 @@ TEST_F(LabCommandTest, says_what_can_not_be_had)
     };
     refused({"lab"}, "--help");
     refused({"lab", "run", "fast", "--out", path("x")}, "suite \"fast\" is not known; give one of box2d");
+    refused({"lab", "run", "--scenes", "washer", "--out", path("x")}, "no scene \"washer\"; give some of large_pyramid");
     refused({"lab", "run", "--engines", "chipmunk", "--out", path("x")}, "give some of carom");
     refused({"lab", "run", "--threads", "0", "--out", path("x")}, "--threads: \"0\"");
     refused({"lab", "run", "--runs", "2", "--out", path("x")}, "--runs");

@@ -29,11 +29,17 @@ std::string suite_notes()
                    "ratios are between medians of runs, with bootstrap intervals.";
 }
 
+void add_scenes(CLI::App& command, std::string& scenes)
+{
+    command.add_option("--scenes", scenes, "Some scenes of the suite alone")->type_name("A,B,...");
+}
+
 void add_run(CLI::App& lab, const Surroundings& surroundings)
 {
     CLI::App* const command = lab.add_subcommand("run", "Measure engines on a suite of scenes, and write a report");
     const auto request = std::make_shared<LabRunRequest>();
     command->add_option("suite", request->suite, "The scenes")->capture_default_str();
+    add_scenes(*command, request->scenes);
     command->add_option("--engines", request->engines, "Who takes part")->type_name("A,B,...")->capture_default_str();
     command->add_option("--threads", request->threads, "Numbers of threads to offer, one after the other")
         ->type_name("N,M,...")
@@ -54,7 +60,10 @@ void add_report(CLI::App& lab, const Surroundings& surroundings)
     const auto request = std::make_shared<LabReportRequest>();
     command->add_option("folder", request->folder, "Where the results are")->type_name("DIR")->required();
     command->add_option("--base", request->base, "The engine that the others are set against")->type_name("NAME")->capture_default_str();
-    command->add_flag("--json", request->is_json, "Print one JSON object, and write nothing");
+    CLI::Option* const json = command->add_flag("--json", request->is_json, "Print one JSON object, and write nothing");
+    command->add_option("--markdown", request->markdown, "Write the text to this file too, and its plots into a folder beside it")
+        ->type_name("FILE.md")
+        ->excludes(json);
     command->callback([request, &surroundings] { lab_report_command(*request, surroundings); });
 }
 
@@ -66,6 +75,7 @@ void add_compare(CLI::App& lab, const Surroundings& surroundings)
     command->add_option("a", request->a, "A folder of results, or a `carom` program")->type_name("A")->required();
     command->add_option("b", request->b, "The same kind")->type_name("B")->required();
     command->add_option("--suite", request->suite, "The scenes on which programs are measured")->capture_default_str();
+    add_scenes(*command, request->scenes);
     command->add_option("--runs", request->runs, "How often each program runs each scene")
         ->type_name("N")
         ->check(CLI::Range(fewest_runs, most_runs))

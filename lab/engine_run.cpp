@@ -42,6 +42,19 @@ Sample sample_from(const ordered_json& j)
     return sample;
 }
 
+void check_times(const EngineRun& run)
+{
+    if (run.step_ms.empty()) throw std::runtime_error("it made no step");
+    for (const std::vector<double>* times : {&run.step_ms, &run.event_ms, &run.ray_ms})
+    {
+        if (!times->empty() && times->size() != run.step_ms.size())
+            throw std::runtime_error("it has " + std::to_string(times->size()) + " times for " + std::to_string(run.step_ms.size()) +
+                                     " steps");
+        for (const double ms : *times)
+            if (!(ms >= 0) || !std::isfinite(ms)) throw std::runtime_error("a step took " + std::to_string(ms) + " ms");
+    }
+}
+
 EngineRun run_from(const ordered_json& json)
 {
     EngineRun run;
@@ -55,15 +68,26 @@ EngineRun run_from(const ordered_json& json)
     if (json.contains("ray_hits")) run.ray_hits = json.at("ray_hits").get<int>();
     for (const ordered_json& sample : json.at("samples")) run.samples.push_back(sample_from(sample));
     if (json.contains("counters")) json.at("counters").get_to(run.counters);
-    if (run.step_ms.empty()) throw std::runtime_error("it made no step");
-    for (const double ms : run.step_ms)
-        if (!(ms >= 0) || !std::isfinite(ms)) throw std::runtime_error("a step took " + std::to_string(ms) + " ms");
+    check_times(run);
     return run;
 }
 
 } // namespace
 
-double EngineRun::mean_ms() const { return std::accumulate(step_ms.begin(), step_ms.end(), 0.0) / static_cast<double>(step_ms.size()); }
+double mean_of(const std::vector<double>& values)
+{
+    return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::vector<double> EngineRun::work_ms() const
+{
+    std::vector<double> work = step_ms;
+    for (const std::vector<double>* more : {&event_ms, &ray_ms})
+        for (std::size_t i = 0; i < more->size(); ++i) work[i] += (*more)[i];
+    return work;
+}
+
+double EngineRun::mean_ms() const { return mean_of(work_ms()); }
 
 std::vector<double> EngineRun::frame_ms() const
 {
@@ -74,14 +98,15 @@ std::vector<double> EngineRun::frame_ms() const
 
 std::vector<double> EngineRun::curve(int parts) const
 {
-    const std::size_t count = std::min(static_cast<std::size_t>(parts), step_ms.size());
+    const std::vector<double> work = work_ms();
+    const std::size_t count = std::min(static_cast<std::size_t>(parts), work.size());
     std::vector<double> means;
     for (std::size_t i = 0; i < count; ++i)
     {
-        const std::size_t begin = i * step_ms.size() / count;
-        const std::size_t end = (i + 1) * step_ms.size() / count;
+        const std::size_t begin = i * work.size() / count;
+        const std::size_t end = (i + 1) * work.size() / count;
         double sum = 0;
-        for (std::size_t step = begin; step < end; ++step) sum += step_ms[step];
+        for (std::size_t step = begin; step < end; ++step) sum += work[step];
         means.push_back(sum / static_cast<double>(end - begin));
     }
     return means;

@@ -5,8 +5,8 @@
 //     PROGRAM SCENE.json --threads N --samples K --out RESULT.json
 //
 // They make the scene, step it as often as its file says, time every step by itself, and write where the bodies are at K moments at equal
-// distances, the last one at the end. A step's time is that of the engine's own step alone; events and rays are timed by themselves. Exit status: 0 done, 3 the engine lacks something that the scene needs (said on standard error), anything
-// else failed.
+// distances, the last one at the end. A step's time is that of the engine's own step alone; events and rays are timed by themselves. Exit status: 0
+// done, 3 the engine lacks something that the scene needs (said on standard error), anything else failed.
 #pragma once
 
 #include <filesystem>
@@ -51,12 +51,16 @@ struct EngineRun
     std::vector<Sample> samples;                 ///< by step
     std::map<std::string, double> counters = {}; ///< what else an engine counts, by name; may be left out
 
-    double mean_ms() const;
+    /// What the scene asks of the engine in each step, which is what engines are compared by: the step, the events before it and the rays after it [ms].
+    std::vector<double> work_ms() const;
+    double mean_ms() const; ///< of the work
     /// Of every step and the drawing of its picture [ms].
     std::vector<double> frame_ms() const;
-    /// Means of `parts` equal parts of the run, or of every step when there are fewer.
+    /// Of the work, means of `parts` equal parts of the run, or of every step when there are fewer.
     std::vector<double> curve(int parts) const;
 };
+
+double mean_of(const std::vector<double>& values); ///< 0 of none
 
 std::string to_json(const EngineRun& run);
 /// @throws std::runtime_error saying what is wrong with the file, or that a number in it is not finite

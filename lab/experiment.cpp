@@ -15,13 +15,14 @@ namespace
 {
 
 constexpr int curve_parts = 100;
-constexpr int samples = 10; // of a run
 
 /// What one engine has done so far on one case.
 struct Series
 {
     EngineResult result;
     std::vector<std::vector<double>> curves;
+    std::vector<double> event_ms; ///< of each run the mean
+    std::vector<double> ray_ms;
     EngineRun last;
 };
 
@@ -58,10 +59,10 @@ void run_once(const Plan& plan, const PlannedCase& one, const Engine& engine, Se
     std::filesystem::remove(out, ignored);
     std::vector<std::string> command = engine.command;
     for (const std::string& word : {one.file.string(), std::string("--threads"), std::to_string(one.threads), std::string("--samples"),
-                                    std::to_string(samples), std::string("--out"), out.string()})
+                                    std::to_string(one.samples), std::string("--out"), out.string()})
         command.push_back(word);
 
-    const ProcessResult process = run_process(command, plan.most_seconds);
+    const ProcessResult process = run_process(command, plan.most_seconds, plan.is_interrupted);
     EngineResult& result = series.result;
     if (!process.is_started) return give_up(result, Outcome::Missing, command.front() + " can't be started");
     if (process.is_timeout)
@@ -75,6 +76,9 @@ void run_once(const Plan& plan, const PlannedCase& one, const Engine& engine, Se
         result.version = run.version;
         result.differences = run.differences;
         result.run_ms.push_back(run.mean_ms());
+        result.ray_hits = run.ray_hits;
+        series.event_ms.push_back(mean_of(run.event_ms));
+        series.ray_ms.push_back(mean_of(run.ray_ms));
         series.curves.push_back(run.curve(curve_parts));
         if (plan.on_run) plan.on_run(engine, run);
         series.last = std::move(run);
@@ -106,6 +110,8 @@ CaseResult finish(const PlannedCase& one, std::vector<Series>& all, const Evalua
     {
         if (series.result.outcome == Outcome::Done)
         {
+            series.result.event_ms = median(series.event_ms);
+            series.result.ray_ms = median(series.ray_ms);
             series.result.curve_ms = median_curve(series.curves);
             if (evaluate) series.result.quality = evaluate(one, series.last);
         }
@@ -128,7 +134,8 @@ std::vector<Series> start_series(const Plan& plan)
 
 } // namespace
 
-Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell)
+Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell,
+                       const std::function<void(const Results&)>& keep_part)
 {
     std::filesystem::create_directories(plan.scratch);
     Results results{.origin = origin_here(), .suite = plan.suite, .runs = plan.runs, .cases = {}};
@@ -148,11 +155,13 @@ Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::f
                     one.scene + ", " + plan.engines[turn].name + ", run " + std::to_string(round + 1) + " of " + std::to_string(plan.runs);
                 if (tell) tell(progress);
                 if (all[turn].result.outcome == Outcome::Done) run_once(plan, one, plan.engines[turn], all[turn]);
+                if (plan.is_interrupted && plan.is_interrupted()) throw std::runtime_error("interrupted");
                 ++progress.done;
                 progress.seconds_left = watch.seconds() / progress.done * (progress.total - progress.done);
             }
         }
         results.cases.push_back(finish(one, all, evaluate));
+        if (keep_part && &one != &plan.cases.back()) keep_part(results);
     }
     return results;
 }

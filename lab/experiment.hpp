@@ -28,6 +28,7 @@ struct PlannedCase
     int bodies = 0;
     int steps = 0;
     int threads = 1;
+    int samples = 10; ///< moments at which engines tell where the bodies are
     std::filesystem::path file;
 };
 
@@ -36,9 +37,10 @@ struct Plan
     std::string suite;
     std::vector<PlannedCase> cases;
     std::vector<Engine> engines;
-    int runs = 5;                       ///< rounds: in each every engine runs once
-    double most_seconds = 600;          ///< that a run may take
-    std::filesystem::path scratch = {}; ///< a folder for the engines' results
+    int runs = 5;                              ///< rounds: in each every engine runs once
+    double most_seconds = 600;                 ///< that a run may take
+    std::filesystem::path scratch = {};        ///< a folder for the engines' results
+    std::function<bool()> is_interrupted = {}; ///< asked again and again during a run, which is ended when it says so
     /// Sees every good run; may be empty.
     std::function<void(const Engine&, const EngineRun&)> on_run = {};
 };
@@ -57,6 +59,10 @@ using Evaluator = std::function<std::map<std::string, double>(const PlannedCase&
 
 /// Rounds over the engines, in another order each time. An engine that fails or can't is not asked again for that case; the others go on. The
 /// evaluator sees the last good run of each engine.
-Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell = {});
+/// @param tell      called before every run; what it throws ends the experiment
+/// @throws std::runtime_error when the plan is interrupted
+/// @param keep_part called with what is finished, after every case but the last
+Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell = {},
+                       const std::function<void(const Results&)>& keep_part = {});
 
 } // namespace carom::lab

@@ -106,6 +106,42 @@ TEST_F(ExperimentTest, the_evaluator_sees_the_samples)
     EXPECT_EQ(results.cases.at(0).find("a")->quality.at("x"), 1);
 }
 
+TEST_F(ExperimentTest, what_is_finished_is_kept_when_it_is_ended)
+{
+    Plan two = plan({good("a", "1"), good("b", "1")}, 2);
+    two.cases.push_back(two.cases.front());
+    two.cases.back().scene = "two";
+    std::vector<std::size_t> kept;
+    const auto tell = [](const Progress& progress)
+    {
+        if (progress.done == 6) throw std::runtime_error("interrupted");
+    };
+    const auto keep = [&](const Results& part) { kept.push_back(part.cases.size()); };
+    EXPECT_THROW(run_experiment(two, {}, tell, keep), std::runtime_error);
+    EXPECT_EQ(kept, (std::vector<std::size_t>{1}));
+}
+
+TEST_F(ExperimentTest, the_work_of_a_step_holds_its_events_and_rays)
+{
+    const Engine busy = engine("busy", R"(echo '{"engine":"x","version":"1","differences":[],"step_ms":[1,3],"event_ms":[0.5,0.5],)"
+                                       R"("ray_ms":[1,3],"ray_hits":7,"samples":[]}' > "$7")");
+    const Results results = run_experiment(plan({busy}, 2), {});
+    const EngineResult& result = *results.cases.at(0).find("busy");
+    EXPECT_EQ(result.run_ms, (std::vector<double>{4.5, 4.5}));
+    EXPECT_EQ(result.curve_ms, (std::vector<double>{2.5, 6.5}));
+    EXPECT_EQ(result.event_ms, 0.5);
+    EXPECT_EQ(result.ray_ms, 2);
+    EXPECT_EQ(result.ray_hits, 7);
+}
+
+TEST_F(ExperimentTest, times_that_are_not_one_a_step_are_nonsense)
+{
+    const Engine liar =
+        engine("liar", R"(echo '{"engine":"x","version":"1","differences":[],"step_ms":[1,3],"ray_ms":[1],"samples":[]}' > "$7")");
+    const Results results = run_experiment(plan({liar}, 2), {});
+    EXPECT_EQ(results.cases.at(0).find("liar")->outcome, Outcome::Failed);
+}
+
 TEST_F(ExperimentTest, progress_goes_from_nothing_to_all)
 {
     std::vector<int> done;

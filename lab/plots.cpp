@@ -87,6 +87,23 @@ std::string with_own_names(std::string svg, int number)
     return svg;
 }
 
+/// "scaling of mixed, 1 thread" makes "scaling-of-mixed-1-thread.svg".
+std::string file_name(const std::string& title)
+{
+    std::string name;
+    for (const char c : title)
+    {
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        if (is_plain)
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    return name + ".svg";
+}
+
+std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
+
 /// The same for an engine in every plot.
 int color_of(const Report& report, const std::string& engine)
 {
@@ -103,8 +120,7 @@ std::vector<Drawing> curves(const Report& report)
     for (const ReportCase& one : report.cases)
     {
         Drawing drawing;
-        drawing.title =
-            one.result->scene + ", " + std::to_string(one.result->threads) + (one.result->threads == 1 ? " thread" : " threads");
+        drawing.title = one.result->scene + ", " + threads_text(one.result->threads);
         drawing.settings = "set xlabel 'step'\nset ylabel 'ms a step'\nset yrange [0:*]\n";
         drawing.style = "with lines";
         for (const EngineResult& engine : one.result->engines)
@@ -136,7 +152,7 @@ std::vector<Drawing> scalings(const Report& report)
     {
         const std::string family = family_of(one.result->scene);
         if (family.empty()) continue;
-        auto& lines = families[family + ", " + std::to_string(one.result->threads) + " threads"];
+        auto& lines = families[family + ", " + threads_text(one.result->threads)];
         for (const ReportRow& row : one.rows)
         {
             if (row.result->outcome != Outcome::Done) continue;
@@ -197,15 +213,17 @@ std::vector<Drawing> ratios(const Report& report)
 
 } // namespace
 
-std::vector<Plot> draw_plots(const Report& report, const std::filesystem::path& scratch, std::string& problem)
+Plots draw_plots(const Report& report, const std::filesystem::path& scratch)
 {
     std::vector<Drawing> drawings = ratios(report);
-    for (auto* more : {&scalings, &curves})
-        for (Drawing& drawing : (*more)(report)) drawings.push_back(std::move(drawing));
+    for (Drawing& drawing : scalings(report)) drawings.push_back(std::move(drawing));
+    const std::size_t summaries = drawings.size();
+    for (Drawing& drawing : curves(report)) drawings.push_back(std::move(drawing));
     std::filesystem::create_directories(scratch);
-    std::vector<Plot> plots;
-    for (const Drawing& drawing : drawings)
+    Plots plots;
+    for (std::size_t i = 0; i < drawings.size(); ++i)
     {
+        const Drawing& drawing = drawings[i];
         const std::filesystem::path script = scratch / "plot.gp";
         const std::filesystem::path out = scratch / "plot.svg";
         std::error_code ignored;
@@ -215,14 +233,17 @@ std::vector<Plot> draw_plots(const Report& report, const std::filesystem::path& 
         const ProcessResult drawn = run_process({"gnuplot", script.string()}, patience);
         if (!drawn.is_started)
         {
-            problem = "gnuplot is not installed: there are no plots. On Debian or Ubuntu: apt install gnuplot-nox";
-            return {};
+            plots.problem = "gnuplot is not installed: there are no plots. On Debian or Ubuntu: apt install gnuplot-nox";
+            break;
         }
         std::string svg = drawn.status == 0 ? svg_in(out) : std::string();
         if (svg.empty())
-            problem = "gnuplot could not draw \"" + drawing.title + "\": " + drawn.errors;
+            plots.problem = "gnuplot could not draw \"" + drawing.title + "\": " + drawn.errors;
         else
-            plots.push_back({drawing.title, with_own_names(std::move(svg), static_cast<int>(plots.size()))});
+            plots.drawn.push_back({.title = drawing.title,
+                                   .file = file_name(drawing.title),
+                                   .svg = with_own_names(std::move(svg), static_cast<int>(i)),
+                                   .is_summary = i < summaries});
     }
     return plots;
 }

@@ -13,12 +13,20 @@ namespace carom::lab
 struct Plot
 {
     std::string title;
-    std::string svg; ///< an element to put into a page
+    std::string file;        ///< name of a file for it, which no other plot of the report has
+    std::string svg;         ///< an element to put into a page, or into a file by itself
+    bool is_summary = false; ///< over many scenes
 };
 
-/// Time a step over the course of each case, scaling with the number of bodies where scenes come in sizes, and ratios with their intervals.
+struct Plots
+{
+    std::vector<Plot> drawn;
+    std::string problem; ///< why there are none, or fewer; empty when all is well
+};
+
+/// Ratios with their intervals and scaling with the number of bodies where scenes come in sizes, which are summaries; and the time a step over the
+/// course of each case.
 /// @param scratch a folder for gnuplot's files
-/// @param problem why there are none, or fewer; empty when all is well
-std::vector<Plot> draw_plots(const Report& report, const std::filesystem::path& scratch, std::string& problem);
+Plots draw_plots(const Report& report, const std::filesystem::path& scratch);
 
 } // namespace carom::lab

@@ -68,17 +68,26 @@ pid_t start(const std::vector<std::string>& command, int errors)
     return error == 0 ? process : -1;
 }
 
-/// Reads until the program closes its side or the time is over.
+/// How long a program may go on.
+struct Patience
+{
+    Clock::time_point end;
+    const std::function<bool()>& is_interrupted;
+
+    bool is_over() const { return Clock::now() >= end || (is_interrupted && is_interrupted()); }
+};
+
+/// Reads until the program closes its side or the patience is over.
 /// @return false when it was over
-bool listen(int reader, Clock::time_point end, std::string& words)
+bool listen(int reader, const Patience& patience, std::string& words)
 {
     std::array<char, 4096> buffer;
     while (true)
     {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        if (left <= 0) return false;
+        if (patience.is_over()) return false;
+        constexpr int look_again = 100; // [ms]
         pollfd wanted{.fd = reader, .events = POLLIN, .revents = 0};
-        if (::poll(&wanted, 1, static_cast<int>(std::min<long long>(left, 1000))) <= 0) continue;
+        if (::poll(&wanted, 1, look_again) <= 0) continue;
         const ssize_t count = ::read(reader, buffer.data(), buffer.size());
         if (count <= 0) return true;
         words.append(buffer.data(), static_cast<std::size_t>(count));
@@ -87,10 +96,10 @@ bool listen(int reader, Clock::time_point end, std::string& words)
 }
 
 /// Waits for a program that no longer says anything, and leaves its status to be asked for.
-/// @return false when the time is over
-bool has_ended(pid_t process, Clock::time_point end)
+/// @return false when the patience is over
+bool has_ended(pid_t process, const Patience& patience)
 {
-    while (Clock::now() < end)
+    while (!patience.is_over())
     {
         siginfo_t info{};
         if (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == process) return true;
@@ -101,7 +110,7 @@ bool has_ended(pid_t process, Clock::time_point end)
 
 } // namespace
 
-ProcessResult run_process(const std::vector<std::string>& command, double seconds)
+ProcessResult run_process(const std::vector<std::string>& command, double seconds, const std::function<bool()>& is_interrupted)
 {
     ProcessResult result;
     Pipe pipe;
@@ -111,7 +120,8 @@ ProcessResult run_process(const std::vector<std::string>& command, double second
     if (process < 0) return result;
     pipe.close_writer();
     result.is_started = true;
-    result.is_timeout = !listen(pipe.reader(), end, result.errors) || !has_ended(process, end);
+    const Patience patience{.end = end, .is_interrupted = is_interrupted};
+    result.is_timeout = !listen(pipe.reader(), patience, result.errors) || !has_ended(process, patience);
     if (result.is_timeout) ::kill(process, SIGKILL);
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR)

@@ -1,6 +1,7 @@
 // Runs other programs.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct ProcessResult
 /// Runs a program to its end. Its standard output goes nowhere.
 /// @param command the program, looked for as a shell would, and its arguments
 /// @param seconds after which it is killed, > 0
-ProcessResult run_process(const std::vector<std::string>& command, double seconds);
+/// @param is_interrupted asked again and again; when it says so, the program is killed as if its time were over
+ProcessResult run_process(const std::vector<std::string>& command, double seconds, const std::function<bool()>& is_interrupted = {});
 
 } // namespace carom::lab

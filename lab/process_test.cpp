@@ -30,6 +30,14 @@ TEST(Process, that_hangs_is_ended)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+TEST(Process, that_nobody_waits_for_is_ended)
+{
+    const auto start = std::chrono::steady_clock::now();
+    int asked = 0;
+    EXPECT_TRUE(run_process({"sleep", "60"}, 60, [&] { return ++asked > 2; }).is_timeout);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
 TEST(Process, that_crashes_tells_the_signal) { EXPECT_EQ(run_process({"sh", "-c", "kill -SEGV $$"}, 10).status, 128 + 11); }
 
 TEST(Process, that_says_much_is_heard_to_its_end)

@@ -1,6 +1,7 @@
 // Measures the states that an engine told of.
 #include "lab/quality.hpp"
 
+#include "lab/passages.hpp"
 #include "lab/scene_file/player.hpp"
 
 #include <algorithm>
@@ -163,6 +164,8 @@ public:
         return Aabb{bounds->center() - Vec2{reach, reach}, bounds->center() + Vec2{reach, reach}};
     }
 
+    const World& world() const { return world_; }
+
     double gravity() const { return static_cast<double>(length(world_.gravity())); }
 
     int lost = 0; ///< bodies of the sample that is shown
@@ -236,9 +239,11 @@ std::map<std::string, double> quality_of(const SceneFile& file, const std::vecto
     double energy_error = 0;
     double momentum_change = 0;
     int lost = 0;
+    Passages passages;
     for (const Sample& sample : samples)
     {
         stage.show(sample);
+        passages.look(stage.world(), sample.step);
         const Overlaps overlaps = stage.overlaps();
         deepest = std::max(deepest, overlaps.most);
         sum += overlaps.sum;
@@ -251,6 +256,7 @@ std::map<std::string, double> quality_of(const SceneFile& file, const std::vecto
 
     std::map<std::string, double> quality = {
         {"deepest_penetration_m", deepest}, {"mean_penetration_m", contacts > 0 ? sum / contacts : 0}, {"lost", lost}};
+    if (const auto tunnelled = passages.count()) quality["tunnelled"] = *tunnelled;
     if (stage.has_joints()) quality["joint_separation_m"] = separation;
     const double mass = stage.mass();
     if (traits.rests && mass > 0) quality["rest_energy_j_per_kg"] = stage.kinetic_energy() / mass;

@@ -19,6 +19,7 @@ constexpr std::array all_metrics = {
     Metric{"energy_error", "energy error", 0.01},
     Metric{"momentum_error", "momentum error", 0.001},
     Metric{"escapes", "escapes", 0.5},
+    Metric{"tunnelled", "tunnelled", 0.5},
     Metric{"lost", "bodies lost to NaN", 0.5},
 };
 

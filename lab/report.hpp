@@ -4,7 +4,6 @@
 #include "lab/comparison.hpp"
 #include "lab/results.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +37,8 @@ struct ReportCase
     std::vector<ReportRow> rows; ///< in the order of the engines
 };
 
+struct Plots; // lab/plots.hpp
+
 /// Over all cases that both finished.
 struct ReportMean
 {
@@ -61,11 +62,13 @@ struct Report
 Report evaluate(const Results& results, const std::string& base = "carom", const ComparisonOptions& options = {});
 
 std::string report_text(const Report& report);
-std::string report_markdown(const Report& report);
+/// @param plots those that are summaries are linked to
+/// @param plot_folder where their files are, as seen from the text's file
+std::string report_markdown(const Report& report, const Plots& plots, const std::string& plot_folder);
 /// By scene, threads and engine: the median time a step, the base's speed as a ratio with its interval, quality, and the geometric means.
 std::string report_json(const Report& report);
-/// One page that needs nothing else. Plots are drawn by gnuplot in `scratch`; without gnuplot the page says so and has none.
-std::string report_html(const Report& report, const std::filesystem::path& scratch);
+/// One page that needs nothing else.
+std::string report_html(const Report& report, const Plots& plots);
 
 /// Two results of the same suite, engine by engine: A is the older.
 std::string compare_text(const Results& a, const Results& b, const ComparisonOptions& options = {});

@@ -34,24 +34,27 @@ tr:hover td { background: #f3f6fc; }
 
 std::string section(const std::string& title, const std::string& content) { return "<h2>" + title + "</h2>\n" + content; }
 
+std::string paragraph(const std::string& words) { return "<p>" + html_text(words) + "</p>\n"; }
+
 std::string scrolling(const Table& table) { return "<div class=\"scroll\">" + table.html() + "</div>\n"; }
 
 } // namespace
 
-std::string report_html(const Report& report, const std::filesystem::path& scratch)
+std::string report_html(const Report& report, const Plots& plots)
 {
     std::string page = head;
     page += "<h1>Carom against its peers</h1>\n<p>" + html_text(origin_line(*report.results)) + "</p>\n";
     if (report.is_noisy) page += "<p class=\"warning\">" + html_text(noise_line(report)) + "</p>\n";
     page += section("Means", scrolling(mean_table(report)));
 
-    std::string problem;
-    std::string plots = "<div class=\"plots\">\n";
-    for (const Plot& plot : draw_plots(report, scratch, problem)) plots += "<figure>" + plot.svg + "</figure>\n";
-    if (!problem.empty()) page += "<p class=\"warning\">" + html_text(problem) + "</p>\n";
-    page += section("Plots", plots + "</div>\n");
-    page += section("Times", scrolling(time_table(report)));
-    page += section("Quality", "<p>Less is better.</p>" + scrolling(quality_table(report)));
+    if (!plots.problem.empty()) page += "<p class=\"warning\">" + html_text(plots.problem) + "</p>\n";
+    std::string figures;
+    for (const Plot& plot : plots.drawn) figures += "<figure>" + plot.svg + "</figure>\n";
+    if (!figures.empty()) page += section("Plots", "<div class=\"plots\">\n" + figures + "</div>\n");
+    page += section("Times", paragraph(time_words(report)) + scrolling(time_table(report)));
+    const Table parts = parts_table(report);
+    if (!parts.is_empty()) page += section("Events and rays", paragraph(parts_words()) + scrolling(parts));
+    page += section("Quality", paragraph(quality_words()) + scrolling(quality_table(report)));
     std::string differences;
     for (const std::string& line : difference_lines(report)) differences += "<li>" + html_text(line) + "</li>\n";
     if (!differences.empty()) page += section("Settings that differ", "<ul>\n" + differences + "</ul>\n");

@@ -8,9 +8,13 @@ namespace carom::lab
 {
 
 Table time_table(const Report& report);
+Table parts_table(const Report& report); ///< of the cases that have events or rays; empty when there are none
 Table quality_table(const Report& report);
 Table mean_table(const Report& report);
 
+std::string time_words(const Report& report); ///< how to read the tables
+std::string parts_words();
+std::string quality_words();
 std::string origin_line(const Results& results);
 std::string noise_line(const Report& report); ///< empty when it was quiet
 std::vector<std::string> difference_lines(const Report& report);

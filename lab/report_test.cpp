@@ -1,10 +1,10 @@
 #include "lab/report.hpp"
 
+#include "lab/plots.hpp"
 #include "lab/table.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace carom::lab
 {
@@ -94,13 +94,42 @@ TEST(Report, names_the_missing_in_every_format)
 {
     const Results results = some_results();
     const Report report = evaluate(results);
-    for (const std::string& text :
-         {report_text(report), report_markdown(report),
-          report_html(report, std::filesystem::path(testing::TempDir()) / ("carom_plots_" + std::to_string(getpid())))})
+    for (const std::string& text : {report_text(report), report_markdown(report, {}, "plots"), report_html(report, {})})
     {
         EXPECT_NE(text.find("missing: ./dev peers builds it"), std::string::npos);
         EXPECT_NE(text.find(results.origin.processor), std::string::npos);
     }
+}
+
+TEST(Report, shows_plots_and_says_when_it_has_none)
+{
+    const Results results = some_results();
+    const Report report = evaluate(results);
+    const Plots plots{.drawn = {{.title = "ratios", .file = "ratios.svg", .svg = "<svg>1</svg>", .is_summary = true},
+                                {.title = "pile", .file = "pile.svg", .svg = "<svg>2</svg>", .is_summary = false}},
+                      .problem = "one is missing"};
+    const std::string page = report_html(report, plots);
+    for (const char* part : {"<svg>1</svg>", "<svg>2</svg>", "one is missing"}) EXPECT_NE(page.find(part), std::string::npos) << part;
+    const std::string text = report_markdown(report, plots, "pictures");
+    EXPECT_NE(text.find("![ratios](pictures/ratios.svg)"), std::string::npos);
+    EXPECT_EQ(text.find("pile.svg"), std::string::npos) << "there are too many of them for a text";
+}
+
+TEST(Report, tells_apart_what_a_step_is_made_of)
+{
+    Results results = some_results();
+    EXPECT_EQ(report_text(evaluate(results)).find("rays"), std::string::npos) << "no scene has any";
+    EngineResult& carom = results.cases[0].engines[0];
+    carom.event_ms = 0.25;
+    carom.ray_ms = 0.5;
+    carom.ray_hits = 77;
+    const Report report = evaluate(results);
+    const std::string text = report_text(report);
+    EXPECT_NE(text.find("0.250"), std::string::npos) << text;
+    EXPECT_NE(text.find("77"), std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(report_json(report));
+    EXPECT_EQ(json["cases"][0]["engines"][0]["ray_ms"], 0.5);
+    EXPECT_EQ(json["cases"][0]["engines"][0]["ray_hits"], 77);
 }
 
 TEST(Report, is_json_for_machines)

@@ -1,6 +1,7 @@
 // Reports as tables of text and as JSON.
 #include "lab/report.hpp"
 
+#include "lab/plots.hpp"
 #include "lab/report_tables.hpp"
 
 #include <algorithm>
@@ -22,7 +23,12 @@ ordered_json json_of(const ReportRow& row)
     if (result.outcome != Outcome::Done)
         json["reason"] = result.reason;
     else
+    {
         json["median_ms"] = row.median_ms;
+        json["event_ms"] = result.event_ms;
+        json["ray_ms"] = result.ray_ms;
+        if (result.ray_hits) json["ray_hits"] = *result.ray_hits;
+    }
     if (row.comparison)
     {
         const Comparison& c = *row.comparison;
@@ -112,6 +118,38 @@ Table time_table(const Report& report)
     return table;
 }
 
+Table parts_table(const Report& report)
+{
+    Table table({"scene", "threads", "engine", "its step, ms", "events, ms", "rays, ms", "rays that hit"});
+    for (const ReportCase& one : report.cases)
+    {
+        for (const ReportRow& row : one.rows)
+        {
+            const EngineResult& result = *row.result;
+            if (result.outcome != Outcome::Done || (result.event_ms <= 0 && result.ray_ms <= 0)) continue;
+            table.add({one.result->scene, std::to_string(one.result->threads), result.engine,
+                       number_text(row.median_ms - result.event_ms - result.ray_ms), number_text(result.event_ms),
+                       number_text(result.ray_ms), result.ray_hits ? std::to_string(*result.ray_hits) : ""});
+        }
+    }
+    return table;
+}
+
+std::string time_words(const Report& report)
+{
+    return "The time is the median of the runs' mean times a step. \"" + report.base +
+           " is faster by\" is the time of the engine over that of " + report.base + ": above 1 when " + report.base +
+           " is faster. Quality is set beside it: where an engine is clearly better or worse than " + report.base + ".";
+}
+
+std::string parts_words() { return "What the times above hold in scenes where bodies come, go or are set, and where rays are cast."; }
+
+std::string quality_words()
+{
+    return "Less is better. One evaluator measures all engines, from where they had the bodies; empty where a measure does not fit the "
+           "scene.";
+}
+
 Table quality_table(const Report& report)
 {
     std::vector<const Metric*> shown; // those that someone has
@@ -161,18 +199,26 @@ std::string report_text(const Report& report)
 {
     std::string out = origin_line(*report.results) + "\n";
     if (report.is_noisy) out += noise_line(report) + "\n";
-    out += "\n" + time_table(report).text() + "\n" + quality_table(report).text() + "\n" + mean_table(report).text();
+    out += "\n" + time_table(report).text();
+    const Table parts = parts_table(report);
+    if (!parts.is_empty()) out += "\n" + parts.text();
+    out += "\n" + quality_table(report).text() + "\n" + mean_table(report).text();
     const std::vector<std::string> differences = difference_lines(report);
     if (!differences.empty()) out += "\nSettings that differ:\n  " + joined(differences, "\n  ") + "\n";
     return out;
 }
 
-std::string report_markdown(const Report& report)
+std::string report_markdown(const Report& report, const Plots& plots, const std::string& plot_folder)
 {
-    std::string out = origin_line(*report.results) + "\n\n";
+    std::string out = "# Carom against its peers\n\n" + origin_line(*report.results) + "\n\n";
     if (report.is_noisy) out += noise_line(report) + "\n\n";
-    out += "## Means\n\n" + mean_table(report).markdown() + "\n## Times\n\n" + time_table(report).markdown() +
-           "\n## Quality\n\nLess is better.\n\n" + quality_table(report).markdown();
+    out += "## Means\n\n" + mean_table(report).markdown() + "\n";
+    for (const Plot& plot : plots.drawn)
+        if (plot.is_summary) out += "![" + plot.title + "](" + plot_folder + "/" + plot.file + ")\n";
+    out += "\n## Times\n\n" + time_words(report) + "\n\n" + time_table(report).markdown();
+    const Table parts = parts_table(report);
+    if (!parts.is_empty()) out += "\n## Events and rays\n\n" + parts_words() + "\n\n" + parts.markdown();
+    out += "\n## Quality\n\n" + quality_words() + "\n\n" + quality_table(report).markdown();
     const std::vector<std::string> differences = difference_lines(report);
     if (!differences.empty()) out += "\n## Settings that differ\n\n- " + joined(differences, "\n- ") + "\n";
     return out;

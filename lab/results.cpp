@@ -38,8 +38,11 @@ Outcome outcome_named(const std::string& name)
 
 ordered_json json_of(const EngineResult& e)
 {
-    return {{"engine", e.engine},           {"version", e.version}, {"outcome", name_of(e.outcome)}, {"reason", e.reason},
-            {"differences", e.differences}, {"run_ms", e.run_ms},   {"curve_ms", e.curve_ms},        {"quality", e.quality}};
+    ordered_json json = {{"engine", e.engine},           {"version", e.version}, {"outcome", name_of(e.outcome)}, {"reason", e.reason},
+                         {"differences", e.differences}, {"run_ms", e.run_ms},   {"event_ms", e.event_ms},        {"ray_ms", e.ray_ms},
+                         {"curve_ms", e.curve_ms},       {"quality", e.quality}};
+    if (e.ray_hits) json["ray_hits"] = *e.ray_hits;
+    return json;
 }
 
 ordered_json json_of(const CaseResult& c)
@@ -64,6 +67,9 @@ EngineResult engine_from(const ordered_json& j)
     j.at("reason").get_to(e.reason);
     j.at("differences").get_to(e.differences);
     j.at("run_ms").get_to(e.run_ms);
+    j.at("event_ms").get_to(e.event_ms);
+    j.at("ray_ms").get_to(e.ray_ms);
+    if (j.contains("ray_hits")) e.ray_hits = j.at("ray_hits").get<int>();
     j.at("curve_ms").get_to(e.curve_ms);
     j.at("quality").get_to(e.quality);
     return e;

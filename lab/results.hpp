@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,12 @@ struct EngineResult
     Outcome outcome = Outcome::Done;
     std::string reason;                   ///< why it is not done
     std::vector<std::string> differences; ///< in which its settings are not those of the others
-    std::vector<double> run_ms;           ///< of each run the mean time a step, in the order of the rounds [ms]
-    std::vector<double> curve_ms;         ///< time a step over the course of the run: means of equal parts, medians over the runs [ms]
+    /// Of each run the mean time a step, in the order of the rounds: the engine's step, what the scene's events ask for before it, and its rays [ms].
+    std::vector<double> run_ms;
+    double event_ms = 0;              ///< the share of the events, median over the runs [ms]
+    double ray_ms = 0;                ///< the share of the rays
+    std::optional<int> ray_hits = {}; ///< rays that met something after the last step
+    std::vector<double> curve_ms;     ///< time a step over the course of the run: means of equal parts, medians over the runs [ms]
     /// By name, each with its unit in it: "deepest_penetration_m", ...
     std::map<std::string, double> quality;
 };

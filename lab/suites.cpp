@@ -35,16 +35,25 @@ QualityTraits traits_of_scene(const std::string& name)
     return family != traits.end() ? family->second : QualityTraits{};
 }
 
-SuiteScene in_full(const FieldScene& scene)
+SuiteScene measured(const FieldScene& scene, int size, int steps)
 {
-    return {.name = scene.name, .scene = &scene, .size = scene.size.initial, .steps = scene.steps, .traits = traits_of_scene(scene.name)};
+    SuiteScene one{.name = scene.name, .scene = &scene, .size = size, .steps = steps, .traits = traits_of_scene(scene.name)};
+    if (scene.name == "shots") one.samples = steps; // what went through a wall is seen step by step
+    return one;
 }
 
 Suite suite_of_field(const std::string& name, const std::string& what)
 {
     Suite suite{.name = name, .what = what, .scenes = {}};
     for (const FieldScene& scene : field_scenes())
-        if (scene.suite == name) suite.scenes.push_back(in_full(scene));
+        if (scene.suite == name) suite.scenes.push_back(measured(scene, scene.size.initial, scene.steps));
+    return suite;
+}
+
+Suite joined(const std::string& name, const std::string& what, const std::vector<Suite>& parts)
+{
+    Suite suite{.name = name, .what = what, .scenes = {}};
+    for (const Suite& part : parts) suite.scenes.insert(suite.scenes.end(), part.scenes.begin(), part.scenes.end());
     return suite;
 }
 
@@ -57,16 +66,11 @@ Suite quick_suite()
         int size;
         int steps;
     };
-    constexpr Small chosen[] = {{"large_pyramid", 30, 200}, {"joint_grid", 30, 200}, {"tumbler", 20, 300},
-                                {"spinner", 800, 200},      {"rain", 20, 200},       {"mixed_200", 200, 400},
-                                {"origin_500", 500, 200},   {"stack_20", 20, 300},   {"ragdolls_20", 20, 300}};
+    constexpr Small chosen[] = {{"large_pyramid", 30, 200}, {"joint_grid", 30, 200},  {"tumbler", 20, 300},      {"spinner", 800, 200},
+                                {"rain", 20, 200},          {"mixed_200", 200, 400},  {"origin_500", 500, 200},  {"stack_20", 20, 300},
+                                {"ragdolls_20", 20, 300},   {"rays_1000", 1000, 100}, {"spawn_destroy", 4, 300}, {"shots", 240, 60}};
     Suite suite{.name = "quick", .what = "some scenes of each kind, small and short", .scenes = {}};
-    for (const Small& small : chosen)
-    {
-        const FieldScene* const scene = find_field_scene(small.scene);
-        suite.scenes.push_back(
-            {.name = scene->name, .scene = scene, .size = small.size, .steps = small.steps, .traits = traits_of_scene(scene->name)});
-    }
+    for (const Small& small : chosen) suite.scenes.push_back(measured(*find_field_scene(small.scene), small.size, small.steps));
     return suite;
 }
 
@@ -86,12 +90,36 @@ const QualityTraits& Suite::traits_of(const std::string& scene) const
     return place->traits;
 }
 
+Suite Suite::with_scenes(const std::vector<std::string>& names) const
+{
+    Suite some{.name = name, .what = what, .scenes = {}};
+    for (const std::string& wanted : names)
+    {
+        const auto place = std::find_if(scenes.begin(), scenes.end(), [&](const SuiteScene& one) { return one.name == wanted; });
+        if (place != scenes.end())
+        {
+            some.scenes.push_back(*place);
+            continue;
+        }
+        std::string all;
+        for (const SuiteScene& one : scenes) all += (all.empty() ? "" : ", ") + one.name;
+        throw std::invalid_argument("suite " + name + " has no scene \"" + wanted + "\"; give some of " + all);
+    }
+    return some;
+}
+
 std::span<const Suite> suites()
 {
-    static const std::vector<Suite> all = {suite_of_field("box2d", "Box2D 3's own ten benchmark scenes"),
-                                           suite_of_field("ordinary", "what games do every day"),
-                                           suite_of_field("origin", "the collision scene of the engine that Carom began as"),
-                                           suite_of_field("nbody", "gravity between bodies"), quick_suite()};
+    static const std::vector<Suite> all = []
+    {
+        std::vector<Suite> parts = {suite_of_field("box2d", "Box2D 3's own ten benchmark scenes"),
+                                    suite_of_field("ordinary", "what games do every day"),
+                                    suite_of_field("origin", "the collision scene of the engine that Carom began as"),
+                                    suite_of_field("nbody", "gravity between bodies")};
+        parts.push_back(joined("full", "all of these", parts));
+        parts.push_back(quick_suite());
+        return parts;
+    }();
     return all;
 }
 

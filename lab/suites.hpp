@@ -18,6 +18,7 @@ struct SuiteScene
     int size = 1;
     int steps = 1;
     QualityTraits traits = {};
+    int samples = 10; ///< moments of a run at which engines tell where the bodies are
 
     SceneFile make() const;
 };
@@ -30,9 +31,12 @@ struct Suite
 
     /// @param scene one of this suite
     const QualityTraits& traits_of(const std::string& scene) const;
+    /// With those scenes alone, in this order.
+    /// @throws std::invalid_argument naming all scenes of this suite, when one is not among them
+    Suite with_scenes(const std::vector<std::string>& names) const;
 };
 
-/// "box2d", "ordinary", "origin", "nbody", "quick".
+/// "box2d", "ordinary", "origin", "nbody", "full": all of these, and "quick".
 std::span<const Suite> suites();
 /// @throws std::invalid_argument naming all suites
 const Suite& find_suite(const std::string& name);

@@ -13,11 +13,12 @@ TEST(Suites, hold_every_scene_of_the_field_once_and_a_quick_choice)
     for (const Suite& suite : suites())
     {
         EXPECT_FALSE(suite.scenes.empty()) << suite.name;
-        if (suite.name == "quick") continue;
+        if (suite.name == "quick" || suite.name == "full") continue;
         for (const SuiteScene& scene : suite.scenes) EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
     }
     EXPECT_EQ(names.size(), field_scenes().size());
-    EXPECT_EQ(find_suite("quick").scenes.size(), 9u);
+    EXPECT_EQ(find_suite("full").scenes.size(), names.size());
+    EXPECT_EQ(find_suite("quick").scenes.size(), 12u);
     EXPECT_EQ(find_suite("box2d").scenes.size(), 10u);
 }
 
@@ -29,6 +30,21 @@ TEST(Suites, know_what_should_hold)
     EXPECT_FALSE(find_suite("box2d").traits_of("rain").stands);
     EXPECT_THROW(find_suite("box2d").traits_of("nothing"), std::invalid_argument);
     EXPECT_THROW(find_suite("fast"), std::invalid_argument);
+}
+
+TEST(Suites, can_be_cut_down_to_some_scenes)
+{
+    const Suite some = find_suite("box2d").with_scenes({"washer", "rain"});
+    ASSERT_EQ(some.scenes.size(), 2u);
+    EXPECT_EQ(some.scenes[0].name, "washer");
+    EXPECT_EQ(some.name, "box2d");
+    EXPECT_THROW(find_suite("box2d").with_scenes({"washer", "rays_1000"}), std::invalid_argument);
+}
+
+TEST(Suites, see_shots_step_by_step)
+{
+    const SuiteScene shots = find_suite("ordinary").with_scenes({"shots"}).scenes.front();
+    EXPECT_EQ(shots.samples, shots.steps);
 }
 
 TEST(Suites, the_quick_scenes_can_be_made)

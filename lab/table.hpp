@@ -15,6 +15,8 @@ public:
 
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
+    bool is_empty() const { return rows_.size() < 2; } ///< nothing but the head
+
     std::string text() const; ///< columns as wide as they must be, numbers to the right
     std::string markdown() const;
     std::string html() const;

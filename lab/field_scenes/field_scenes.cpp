@@ -85,6 +85,12 @@ std::vector<FieldScene> ordinary_suite()
                       {1, 4, 50, "bodies a step"},
                       600,
                       spawn_and_destroy});
+    scenes.push_back({"shots",
+                      "ordinary",
+                      "Shots of up to 300 m/s at thin walls, plates and balls.",
+                      {1, 240, 2000, "shots, each with what it flies at"},
+                      60,
+                      shots});
     return scenes;
 }
 

@@ -111,6 +111,7 @@ TEST(FieldScenes, have_the_sizes_of_the_field)
     EXPECT_EQ(made("rays_1000").rays.size(), 1000u);
     EXPECT_EQ(moving_bodies(made("rays_1000")), 500u);
     EXPECT_EQ(moving_bodies(made("ragdolls_20")), 220u);
+    EXPECT_EQ(moving_bodies(made("shots")), 240u + 120u); // half of what they fly at can move
 }
 
 TEST(FieldScenes, name_what_an_engine_needs)

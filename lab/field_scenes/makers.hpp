@@ -28,6 +28,7 @@ SceneFile platformer(const FieldSetup& setup);
 SceneFile stack(const FieldSetup& setup);
 SceneFile rays(const FieldSetup& setup);
 SceneFile spawn_and_destroy(const FieldSetup& setup);
+SceneFile shots(const FieldSetup& setup);
 // Without gravity, or with that of a sun.
 SceneFile bouncing(const FieldSetup& setup);
 SceneFile orbits(const FieldSetup& setup);

@@ -1,0 +1,69 @@
+// Follows centres of mass from step to step.
+#include "lab/passages.hpp"
+
+namespace carom::lab
+{
+
+namespace
+{
+
+/// Lets a ray see one body.
+class OnlyBody : public QueryPredicate
+{
+public:
+    explicit OnlyBody(BodyId body) : body_(body) {}
+    bool accepts(ShapeId, BodyId body) const override { return body == body_; }
+
+private:
+    BodyId body_;
+};
+
+bool can_pass(const BodyView& body) { return body.type() == BodyType::Dynamic && body.is_enabled() && body.shape_count() > 0; }
+
+} // namespace
+
+void Passages::look(const World& world, int step)
+{
+    Places now;
+    for (const BodyId id : world.bodies())
+    {
+        const BodyView body = world.body(id);
+        if (body.is_enabled() && body.shape_count() > 0) now[id] = {body.transform(), body.center_of_mass()};
+    }
+    if (step_before_ && step == *step_before_ + 1)
+    {
+        has_seen_a_step_ = true;
+        for (const auto& [id, before] : before_)
+            if (now.contains(id) && can_pass(world.body(id)) && !gone_through_.contains(id) &&
+                went_through_something(world, id, before, now))
+                gone_through_.insert(id);
+    }
+    before_ = std::move(now);
+    step_before_ = step;
+}
+
+bool Passages::went_through_something(const World& world, BodyId id, const Place& before, const Places& now) const
+{
+    const Vec2 end = now.at(id).center;
+    const ShapeId shape = world.body(id).shapes().front();
+    for (const auto& [other, place] : now)
+    {
+        const auto other_before = before_.find(other);
+        if (other == id || other_before == before_.end()) continue;
+        // Where the centre was, had the other body been all the time where it is now.
+        const Vec2 start = place.frame * inverse_transform(other_before->second.frame, before.center);
+        if (!overlaps(world.body(other).bounds(), Aabb{min(start, end), max(start, end)})) continue;
+        const OnlyBody only(other);
+        const auto hit = world.cast_ray(start, end - start, {.filter = world.shape(shape).filter(), .predicate = &only});
+        if (hit && !hit->starts_inside) return true;
+    }
+    return false;
+}
+
+std::optional<int> Passages::count() const
+{
+    if (!has_seen_a_step_) return std::nullopt;
+    return static_cast<int>(gone_through_.size());
+}
+
+} // namespace carom::lab

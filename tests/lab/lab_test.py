@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""The laboratory from end to end: the program measures engines on scenes, and reports on them.
+
+usage: lab_test.py CAROM [unittest's options]
+
+The peers here are scripts that step with Carom itself, so the test knows what must come out.
+"""
+import json
+import os
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+CAROM = ""
+
+
+class LabTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        self.peers = self.folder / "peers"
+        self.peers.mkdir()
+        self.out = self.folder / "out"
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def peer(self, name, script):
+        """A peer of that name which is a script of the shell; it sees the scene as $1 and the result to write as $7."""
+        file = self.peers / f"carom-peer-{name}"
+        file.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
+        file.chmod(file.stat().st_mode | stat.S_IXUSR)
+
+    def lab(self, *arguments, status=0):
+        done = subprocess.run([CAROM, "lab", *map(str, arguments)], capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done.stdout if status == 0 else done.stderr
+
+    def measure(self, scenes, *more, engines="carom,box2d3,rapier,box2d2"):
+        return self.lab("run", "quick", "--scenes", scenes, "--engines", engines, "--runs", 4, "--peers", self.peers, "--out", self.out, *more)
+
+    def engines(self, case):
+        return {engine["engine"]: engine for engine in case["engines"]}
+
+
+class Run(LabTest):
+    def test_every_engine_gets_the_same_work_and_a_place_in_the_report(self):
+        self.peer("box2d3", f'exec {CAROM} lab step "$@"')
+        self.peer("rapier", 'echo "has no boxes" >&2; exit 3')
+        text = self.measure("stack_20", "--threads", "1,2")
+        report = json.loads(self.lab("report", self.out, "--json"))
+        self.assertEqual([(case["scene"], case["threads"]) for case in report["cases"]], [("stack_20", 1), ("stack_20", 2)])
+        for case in report["cases"]:
+            engines = self.engines(case)
+            self.assertEqual({name: engine["outcome"] for name, engine in engines.items()},
+                             {"carom": "done", "box2d3": "done", "rapier": "can't", "box2d2": "missing"})
+            self.assertGreater(engines["carom"]["median_ms"], 0)
+            self.assertEqual(engines["carom"]["quality"], engines["box2d3"]["quality"], "the same steps are judged alike")
+            self.assertLess(engines["carom"]["quality"]["drift_m"], 0.1)
+            low, high = engines["box2d3"]["interval"]
+            self.assertLessEqual(low, engines["box2d3"]["speed_ratio"])
+            self.assertLessEqual(engines["box2d3"]["speed_ratio"], high)
+        self.assertEqual([mean["engine"] for mean in report["geometric_means"]], ["box2d3", "box2d3"])
+        for words in ("has no boxes", "./dev peers", "box2d3"):
+            self.assertIn(words, text)
+            self.assertIn(words, (self.out / "report.md").read_text(encoding="utf-8"))
+            self.assertIn(words, (self.out / "report.html").read_text(encoding="utf-8"))
+
+    def test_rays_events_and_shots_are_measured(self):
+        self.measure("rays_1000,spawn_destroy,shots", engines="carom")
+        rays, spawn, shots = (self.engines(case)["carom"] for case in json.loads(self.lab("report", self.out, "--json"))["cases"])
+        self.assertGreater(rays["ray_ms"], 0)
+        self.assertGreater(rays["ray_hits"], 100)
+        self.assertGreater(rays["median_ms"], rays["ray_ms"])
+        self.assertGreater(spawn["event_ms"], 0)
+        self.assertEqual(spawn["ray_ms"], 0)
+        self.assertIn("tunnelled", shots["quality"])
+        self.assertNotIn("tunnelled", rays["quality"], "it is known from every step only")
+
+    def test_a_slower_engine_is_found(self):
+        # Gives every step twice the time that it took.
+        self.peer("box2d3", f'{CAROM} lab step "$@" && sed -i -E \'s/"step_ms":\\[[^]]*\\]/"step_ms":[\'"$(seq -s, 300 600)"\']/\' "$7"')
+        self.measure("stack_20", engines="carom,box2d3")
+        engine = self.engines(json.loads(self.lab("report", self.out, "--json"))["cases"][0])["box2d3"]
+        self.assertEqual(engine["outcome"], "done", engine.get("reason"))
+        self.assertEqual(engine["verdict"], "slower")
+        self.assertGreater(engine["interval"][0], 100)
+
+    def test_what_is_interrupted_keeps_the_scenes_that_are_done(self):
+        self.peer("box2d3", f'case "$1" in *tumbler*) sleep 60;; esac; exec {CAROM} lab step "$@"')
+        running = subprocess.Popen([CAROM, "lab", "run", "quick", "--scenes", "stack_20,tumbler", "--engines", "carom,box2d3", "--runs", "4",
+                                    "--peers", self.peers, "--out", self.out], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 120
+        while not (self.out / "results.json").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        time.sleep(0.5)  # into the scene that takes long
+        started = time.monotonic()
+        running.send_signal(signal.SIGINT)
+        _, errors = running.communicate(timeout=90)
+        self.assertLess(time.monotonic() - started, 30, "it waits for nobody")
+        self.assertNotEqual(running.returncode, 0)
+        self.assertIn("interrupted", errors)
+        report = json.loads(self.lab("report", self.out, "--json"))
+        self.assertEqual([case["scene"] for case in report["cases"]], ["stack_20"])
+
+
+class Compare(LabTest):
+    def test_two_programs_and_then_their_folders(self):
+        text = self.lab("compare", CAROM, CAROM, "--scenes", "stack_20", "--runs", 4, "--out", self.out)
+        self.assertIn("stack_20", text)
+        engines = self.engines(json.loads(self.lab("report", self.out, "--base", "A", "--json"))["cases"][0])
+        self.assertEqual(set(engines), {"A", "B"})
+        self.assertIn("no difference", self.lab("compare", self.out, self.out))
+
+    def test_a_program_that_is_none_is_told(self):
+        broken = self.folder / "broken"
+        broken.write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
+        broken.chmod(0o755)
+        text = self.lab("compare", CAROM, broken, "--scenes", "stack_20", "--runs", 4, "--out", self.out)
+        self.assertIn("failed: exit status 1", text)
+
+
+if __name__ == "__main__":
+    CAROM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
