@@ -1,6 +1,8 @@
 // Follows centres of mass from step to step.
 #include "lab/passages.hpp"
 
+#include <algorithm>
+
 namespace carom::lab
 {
 
@@ -18,6 +20,14 @@ private:
     BodyId body_;
 };
 
+/// Where a point was before, had the other body been all the time where it is now.
+Vec2 seen_from(const Transform& before, const Transform& now, Vec2 point)
+{
+    constexpr float most_cosine = 0.87758256f; // of half a radian
+    const bool turns_far = relative(before.q, now.q).c < most_cosine;
+    return turns_far ? point + (now.p - before.p) : now * inverse_transform(before, point);
+}
+
 bool can_pass(const BodyView& body) { return body.type() == BodyType::Dynamic && body.is_enabled() && body.shape_count() > 0; }
 
 } // namespace
@@ -34,15 +44,13 @@ void Passages::look(const World& world, int step)
     {
         has_seen_a_step_ = true;
         for (const auto& [id, before] : before_)
-            if (now.contains(id) && can_pass(world.body(id)) && !gone_through_.contains(id) &&
-                went_through_something(world, id, before, now))
-                gone_through_.insert(id);
+            if (now.contains(id) && can_pass(world.body(id))) follow(world, id, before, now);
     }
     before_ = std::move(now);
     step_before_ = step;
 }
 
-bool Passages::went_through_something(const World& world, BodyId id, const Place& before, const Places& now) const
+void Passages::follow(const World& world, BodyId id, const Place& before, const Places& now)
 {
     const Vec2 end = now.at(id).center;
     const ShapeId shape = world.body(id).shapes().front();
@@ -50,14 +58,12 @@ bool Passages::went_through_something(const World& world, BodyId id, const Place
     {
         const auto other_before = before_.find(other);
         if (other == id || other_before == before_.end()) continue;
-        // Where the centre was, had the other body been all the time where it is now.
-        const Vec2 start = place.frame * inverse_transform(other_before->second.frame, before.center);
+        const Vec2 start = seen_from(other_before->second.frame, place.frame, before.center);
         if (!overlaps(world.body(other).bounds(), Aabb{min(start, end), max(start, end)})) continue;
         const OnlyBody only(other);
         const auto hit = world.cast_ray(start, end - start, {.filter = world.shape(shape).filter(), .predicate = &only});
-        if (hit && !hit->starts_inside) return true;
+        if (hit && !hit->starts_inside) gone_through_.insert(std::minmax(id, other));
     }
-    return false;
 }
 
 std::optional<int> Passages::count() const

@@ -6,13 +6,14 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace carom::lab
 {
 
 /// A body went through another one when its centre of mass came to the inner side of its surface in a step: by that, half of it is gone through the
-/// wall. Its way is seen from the other body, so walls may move; between two steps both go straight. Shapes that would not collide, sensors and
-/// what a centre lies in from the start do not count.
+/// wall. Its way is seen from the other body, so walls may move; between two steps both go straight. What turns by more than half a radian in a step is
+/// followed without its turning. Shapes that would not collide, sensors and what a centre lies in from the start do not count.
 class Passages
 {
 public:
@@ -20,7 +21,7 @@ public:
     /// @param step  number of that step; ways are known from the step right before it only
     void look(const World& world, int step);
 
-    /// Bodies that went through something, each once; none when there never were two steps in a row.
+    /// Pairs of bodies of which one went through the other, each once; none when there never were two steps in a row.
     std::optional<int> count() const;
 
 private:
@@ -31,11 +32,11 @@ private:
     };
     using Places = std::map<BodyId, Place>;
 
-    bool went_through_something(const World& world, BodyId id, const Place& before, const Places& now) const;
+    void follow(const World& world, BodyId id, const Place& before, const Places& now);
 
     Places before_;
-    std::optional<int> step_before_; ///< of those places
-    std::set<BodyId> gone_through_;
+    std::optional<int> step_before_;                   ///< of those places
+    std::set<std::pair<BodyId, BodyId>> gone_through_; ///< the smaller id first
     bool has_seen_a_step_ = false;
 };
 

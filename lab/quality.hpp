@@ -24,7 +24,7 @@ struct QualityTraits
 /// shapes that may collide.
 /// - deepest_penetration_m over all samples, mean_penetration_m of touching shapes over all samples
 /// - joint_separation_m: the largest over all samples of what joints miss that they hold rigidly
-/// - tunnelled: bodies that went through another one (lab/passages.hpp); only from samples after every step
+/// - tunnelled: pairs of bodies of which one went through the other (lab/passages.hpp); only from samples after every step
 /// - lost: bodies that are not finite, or beyond the largest coordinate, in any sample
 /// and, by the traits, of the last sample:
 /// - rest_energy_j_per_kg: kinetic energy over mass; drift_m: the farthest that a body has come from its start; escapes: bodies outside of the bounds
