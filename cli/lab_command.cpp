@@ -12,6 +12,7 @@
 #include "lab/report.hpp"
 #include "lab/scene_file/reader.hpp"
 #include "lab/scene_file/writer.hpp"
+#include "lab/self_check.hpp"
 #include "lab/suites.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/text.hpp"
@@ -263,6 +264,26 @@ void lab_history_command(const LabHistoryRequest& request, const Surroundings& s
     surroundings.out << text;
 }
 
+void lab_self_check_command(const LabSelfCheckRequest& request, const Surroundings& surroundings)
+{
+    const path out = request.out;
+    const lab::Suite one = suite_of(request.suite, request.scene);
+    if (one.scenes.size() != 1)
+        throw BadUsage("--scene: \"" + request.scene + "\" names " + std::to_string(one.scenes.size()) + "; give one");
+    const lab::SelfCheckPlan plan{.scene = plan_cases(one, {1}, out / "scenes").front(),
+                                  .tries = request.tries,
+                                  .runs = request.runs,
+                                  .slowdown = request.slowdown,
+                                  .carom = own_program(),
+                                  .scratch = out / "scratch",
+                                  .is_interrupted = surroundings.is_interrupted};
+    const lab::SelfCheck check = lab::run_self_check(plan, teller(surroundings));
+    wipe_line(surroundings);
+    write_text(out / "selfcheck.txt", self_check_text(check));
+    surroundings.out << self_check_text(check);
+    if (!check.is_passed()) throw Failure("the self-check failed");
+}
+
 void lab_step_command(const LabStepRequest& request)
 {
     const std::optional<BroadPhaseType> type = broad_phase_named(request.broad_phase);
@@ -270,7 +291,7 @@ void lab_step_command(const LabStepRequest& request)
         throw BadUsage("--broadphase: \"" + request.broad_phase + "\" is not known; " +
                        scenes::suggestion(request.broad_phase, scenes::broad_phase_names()));
     const lab::SceneFile file = lab::read_scene_file(request.scene);
-    lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type};
+    lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type, .slowdown = request.slowdown};
     std::optional<Canvas> canvas;
     if (request.draws)
     {

@@ -46,14 +46,25 @@ struct LabHistoryRequest
     std::string out; ///< a folder
 };
 
+struct LabSelfCheckRequest
+{
+    std::string suite = "quick";
+    std::string scene = "mixed_200"; ///< of that suite
+    int tries = 20;
+    int runs = 10;
+    double slowdown = 0.05;
+    std::string out; ///< a folder
+};
+
 struct LabStepRequest
 {
     std::string scene; ///< a scene file
     int threads = 1;
     int samples = 10;
     std::string broad_phase = "Tree";
-    bool draws = false; ///< the picture after each step
-    std::string out;    ///< a file
+    bool draws = false;  ///< the picture after each step
+    double slowdown = 0; ///< share of a step's time
+    std::string out;     ///< a file
 };
 
 // All throw BadUsage and Failure.
@@ -61,6 +72,8 @@ void lab_run_command(const LabRunRequest& request, const Surroundings& surroundi
 void lab_report_command(const LabReportRequest& request, const Surroundings& surroundings);
 void lab_compare_command(const LabCompareRequest& request, const Surroundings& surroundings);
 void lab_history_command(const LabHistoryRequest& request, const Surroundings& surroundings);
+/// @throws Failure when the laboratory can't be trusted
+void lab_self_check_command(const LabSelfCheckRequest& request, const Surroundings& surroundings);
 /// Carom as an engine: what lab/engine_run.hpp tells of programs.
 void lab_step_command(const LabStepRequest& request);
 

@@ -122,6 +122,7 @@ TEST_F(LabCommandTest, says_what_can_not_be_had)
     refused({"lab", "run", "--engines", "chipmunk", "--out", path("x")}, "give some of carom");
     refused({"lab", "run", "--threads", "0", "--out", path("x")}, "--threads: \"0\"");
     refused({"lab", "run", "--runs", "2", "--out", path("x")}, "--runs");
+    refused({"lab", "selfcheck", "--scene", "stack_20,shots", "--out", path("x")}, "names 2; give one");
     refused({"lab", "report", path("nothing")}, "carom lab run");
     refused({"lab", "compare", path("nothing"), path("nothing")}, "neither a folder");
     refused({"lab", "step", path("nothing.json"), "--out", path("y")}, "nothing.json");

@@ -105,6 +105,29 @@ void add_history(CLI::App& lab, const Surroundings& surroundings)
     command->callback([request, &surroundings] { lab_history_command(*request, surroundings); });
 }
 
+void add_self_check(CLI::App& lab, const Surroundings& surroundings)
+{
+    CLI::App* const command = lab.add_subcommand(
+        "selfcheck", "Tell whether measurements can be trusted here: no difference between equals, and a planted slowdown is found");
+    const auto request = std::make_shared<LabSelfCheckRequest>();
+    command->add_option("--suite", request->suite, "Where the scene is from")->capture_default_str();
+    command->add_option("--scene", request->scene, "What is measured")->capture_default_str();
+    command->add_option("--tries", request->tries, "Comparisons of the program with itself")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10'000))
+        ->capture_default_str();
+    command->add_option("--runs", request->runs, "Runs of each side in a comparison")
+        ->type_name("N")
+        ->check(CLI::Range(fewest_runs, most_runs))
+        ->capture_default_str();
+    command->add_option("--slowdown", request->slowdown, "The share by which the planted one is slower")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.001, 10.0))
+        ->capture_default_str();
+    command->add_option("--out", request->out, "Folder for the table and the scene")->type_name("DIR")->required();
+    command->callback([request, &surroundings] { lab_self_check_command(*request, surroundings); });
+}
+
 void add_step(CLI::App& lab)
 {
     CLI::App* const command = lab.add_subcommand("step", "Step a scene file as one of the engines: for programs");
@@ -122,6 +145,10 @@ void add_step(CLI::App& lab)
         ->type_name("NAME")
         ->capture_default_str();
     command->add_flag("--draw", request->draws, "Draw the picture after each step, and tell what that takes");
+    command->add_option("--slowdown", request->slowdown, "Makes every step take longer by this share of its time, to try what is found")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
     command->add_option("--out", request->out, "The file to write")->type_name("RESULT.json")->required();
     command->callback([request] { lab_step_command(*request); });
 }
@@ -136,6 +163,7 @@ void add_lab_command(CLI::App& app, const Surroundings& surroundings)
     add_report(*lab, surroundings);
     add_compare(*lab, surroundings);
     add_history(*lab, surroundings);
+    add_self_check(*lab, surroundings);
     add_step(*lab);
 }
 

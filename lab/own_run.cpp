@@ -37,6 +37,19 @@ Sample sample_of(const World& world, const FilePlayback& playback, int step)
     return sample;
 }
 
+/// Lets time pass with work.
+/// @return how long it was [ms]
+double waited_ms(double ms)
+{
+    return timed_ms([&]
+    {
+        const auto start = std::chrono::steady_clock::now();
+        while (std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() < ms)
+        {
+        }
+    });
+}
+
 /// Sums over steps.
 class Counts
 {
@@ -114,7 +127,8 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
     {
         const double event_ms = timed_ms([&] { playback.before_step(world, step); });
         StepReport report;
-        run.step_ms.push_back(timed_ms([&] { report = world.step(file.time_step, file.substeps); }));
+        const double step_ms = timed_ms([&] { report = world.step(file.time_step, file.substeps); });
+        run.step_ms.push_back(step_ms + (options.slowdown > 0 ? waited_ms(options.slowdown * step_ms) : 0));
         counts.add(report, 2 * step >= file.steps);
         if (!file.events.empty()) run.event_ms.push_back(event_ms);
         if (options.draw) run.draw_ms.push_back(timed_ms([&] { pictures.draw(world, playback); }));
