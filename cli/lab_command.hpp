@@ -12,9 +12,9 @@ namespace carom::cli
 struct LabRunRequest
 {
     std::string suite = "quick";
-    std::string scenes;                                 ///< names with commas between; empty for all of the suite
-    std::string engines = "carom,box2d3,rapier,box2d2"; ///< names with commas between
-    std::string threads = "1";                          ///< numbers with commas between
+    std::string scenes;                                        ///< names with commas between; empty for all of the suite
+    std::string engines = "carom,box2d3,rapier,box2d2,origin"; ///< names with commas between
+    std::string threads = "1";                                 ///< numbers with commas between
     int runs = 5;
     std::string out;   ///< a folder
     std::string peers; ///< the folder of the peers' programs; empty for the one beside this build

@@ -24,9 +24,11 @@ std::string suite_notes()
     std::string notes = "Suites:\n";
     for (const lab::Suite& suite : lab::suites())
         notes += "  " + suite.name + std::string(10 - std::min<std::size_t>(suite.name.size(), 9), ' ') + suite.what + "\n";
-    return notes + "\nEngines: carom, and its peers box2d3, rapier and box2d2, which `./dev peers` builds. Every engine steps the same "
-                   "scene files, in turns;\n"
-                   "ratios are between medians of runs, with bootstrap intervals.";
+    return notes +
+           "\nEngines: carom; its peers box2d3, rapier and box2d2, which `./dev peers` builds; and origin, which is carom with the "
+           "quadtree of\n"
+           "the engine that it began as. Every engine steps the same scene files, in turns; ratios are between medians of runs, with\n"
+           "bootstrap intervals.";
 }
 
 void add_scenes(CLI::App& command, std::string& scenes)

@@ -11,11 +11,12 @@ namespace carom::lab
 namespace
 {
 
-constexpr std::array<std::string_view, 4> names = {"carom", "box2d3", "rapier", "box2d2"};
+constexpr std::array<std::string_view, 5> names = {"carom", "box2d3", "rapier", "box2d2", "origin"};
 
 Engine engine_named(const std::string& name, const std::filesystem::path& carom, const std::filesystem::path& peers)
 {
     if (name == "carom") return {.name = name, .command = {carom.string(), "lab", "step"}, .missing = ""};
+    if (name == "origin") return {.name = name, .command = {carom.string(), "lab", "step", "--broadphase", "Quadtree"}, .missing = ""};
     const std::filesystem::path program = peers / ("carom-peer-" + name);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(program, ignored)) return {.name = name, .command = {program.string()}, .missing = ""};

@@ -12,7 +12,7 @@
 namespace carom::lab
 {
 
-/// Names in the order of reports: "carom", "box2d3", "rapier", "box2d2".
+/// Names in the order of reports: "carom", "box2d3", "rapier", "box2d2", and "origin", which is Carom with the quadtree of the engine that it began as.
 std::span<const std::string_view> engine_names();
 
 /// @param names  of engine_names(), in the order in which they take part

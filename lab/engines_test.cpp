@@ -13,13 +13,14 @@ TEST(Engines, are_found_or_reported_as_missing)
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("carom_engines_test_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "carom-peer-rapier") << "#!/bin/sh\n";
-    const std::vector<std::string> names = {"rapier", "carom", "box2d3"};
+    const std::vector<std::string> names = {"rapier", "carom", "box2d3", "origin"};
     const std::vector<Engine> engines = find_engines(names, "/bin/carom", folder);
-    ASSERT_EQ(engines.size(), 3u);
+    ASSERT_EQ(engines.size(), 4u);
     EXPECT_EQ(engines[0].command.size(), 1u);
     EXPECT_EQ(engines[1].command, (std::vector<std::string>{"/bin/carom", "lab", "step"}));
     EXPECT_TRUE(engines[2].command.empty());
     EXPECT_NE(engines[2].missing.find("./dev peers"), std::string::npos);
+    EXPECT_EQ(engines[3].command, (std::vector<std::string>{"/bin/carom", "lab", "step", "--broadphase", "Quadtree"}));
     std::filesystem::remove_all(folder);
 }
 

@@ -116,6 +116,8 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
     run.engine = "carom";
     run.version = CAROM_VERSION;
     if (options.threads > 1) run.differences.emplace_back("steps on one thread, however many are offered");
+    if (options.broad_phase != BroadPhaseType::Tree)
+        run.differences.push_back("finds pairs by the broad phase " + std::string(name_of(options.broad_phase)));
     WorldDef def = FilePlayback::world_def(file);
     def.broad_phase = options.broad_phase;
     World world(def);

@@ -48,7 +48,7 @@ TEST(OwnRun, tells_where_the_bodies_of_a_scene_are)
     }
 }
 
-TEST(OwnRun, the_broad_phase_does_not_show)
+TEST(OwnRun, the_broad_phase_changes_no_body_and_is_told)
 {
     SceneFile file = make_field_scene(*find_field_scene("mixed_50"), {.size = 20, .seed = 3});
     file.steps = 60;
@@ -56,8 +56,10 @@ TEST(OwnRun, the_broad_phase_does_not_show)
     EngineRun brute = run_carom(file, "mixed", {.broad_phase = BroadPhaseType::BruteForce});
     EXPECT_GT(brute.counters.at("pairs_tested"), tree.counters.at("pairs_tested"));
     EXPECT_GT(brute.counters.at("memory_bytes"), 0);
+    EXPECT_EQ(brute.differences, (std::vector<std::string>{"finds pairs by the broad phase BruteForce"}));
     tree.step_ms = brute.step_ms = {1};
     tree.counters = brute.counters;
+    tree.differences = brute.differences;
     EXPECT_EQ(to_json(tree), to_json(brute));
 }
 
