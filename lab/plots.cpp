@@ -5,9 +5,11 @@
 #include "lab/table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iomanip>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace carom::lab
@@ -16,21 +18,8 @@ namespace carom::lab
 namespace
 {
 
-/// A line of a plot.
-struct Line
-{
-    std::string title;
-    std::vector<std::pair<double, double>> points;
-    int color = 1; ///< gnuplot's number of it
-};
-
-struct Drawing
-{
-    std::string title;
-    std::string settings; ///< gnuplot's, a line each
-    std::string style;    ///< "with lines"
-    std::vector<Line> lines;
-};
+/// Can be told apart by eyes of every kind, and from white.
+constexpr std::array colors = {"#d55e00", "#0072b2", "#009e73", "#aa4499", "#555555", "#56b4e9", "#b8860b"};
 
 /// In gnuplot's double quotes.
 std::string quoted(const std::string& text)
@@ -44,10 +33,41 @@ std::string quoted(const std::string& text)
     return out + "\"";
 }
 
+/// A line of a plot.
+struct Line
+{
+    std::string title;
+    std::vector<std::pair<double, double>> points;
+    std::size_t color = 0; ///< number of it
+};
+
+struct Drawing
+{
+    std::string title;
+    std::string settings; ///< gnuplot's, a line each
+    std::string style;    ///< "with lines"
+    std::vector<Line> lines;
+    int height = 340; ///< [pixels]
+};
+
+/// A plot that has a row for each name, from above to below: the n-th is at y = n.
+Drawing rows_drawing(const std::string& title, const std::vector<std::string>& names, const std::string& settings, const std::string& style)
+{
+    constexpr int row = 15;   // [pixels]
+    constexpr int rest = 110; // title and axis
+    const int count = static_cast<int>(names.size());
+    Drawing drawing{.title = title, .settings = settings, .style = style, .lines = {}, .height = std::max(200, rest + row * count)};
+    drawing.settings += "set yrange [" + std::to_string(count) + ":-1]\nset ytics (";
+    for (int i = 0; i < count; ++i)
+        drawing.settings += (i > 0 ? ", " : "") + quoted(names[static_cast<std::size_t>(i)]) + " " + std::to_string(i);
+    drawing.settings += ")\n";
+    return drawing;
+}
+
 std::string script_of(const Drawing& drawing, const std::filesystem::path& out)
 {
     std::ostringstream script;
-    script << std::setprecision(9) << "set terminal svg size 640,340 noenhanced font 'sans,11' background '#ffffff'\n"
+    script << std::setprecision(9) << "set terminal svg size 640," << drawing.height << " noenhanced font 'sans,11' background '#ffffff'\n"
            << "set output " << quoted(out.string()) << "\nset title " << quoted(drawing.title) << "\n"
            << "set grid lc rgb '#dddddd'\nset key outside right\nset border 3\nset tics nomirror\n"
            << drawing.settings;
@@ -59,8 +79,8 @@ std::string script_of(const Drawing& drawing, const std::filesystem::path& out)
     }
     script << "plot ";
     for (std::size_t i = 0; i < drawing.lines.size(); ++i)
-        script << (i > 0 ? ", " : "") << "$line" << i << " " << drawing.style << " lw 2 lc " << drawing.lines[i].color << " title "
-               << quoted(drawing.lines[i].title);
+        script << (i > 0 ? ", " : "") << "$line" << i << " " << drawing.style << " lw 2 lc rgb '"
+               << colors[drawing.lines[i].color % colors.size()] << "' title " << quoted(drawing.lines[i].title);
     script << "\n";
     return script.str();
 }
@@ -105,13 +125,13 @@ std::string file_name(const std::string& title)
 std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
 /// The same for an engine in every plot.
-int color_of(const Report& report, const std::string& engine)
+std::size_t color_of(const Report& report, const std::string& engine)
 {
     std::vector<std::string> engines;
     for (const CaseResult& one : report.results->cases)
         for (const EngineResult& result : one.engines)
             if (std::find(engines.begin(), engines.end(), result.engine) == engines.end()) engines.push_back(result.engine);
-    return static_cast<int>(std::find(engines.begin(), engines.end(), engine) - engines.begin()) + 1;
+    return static_cast<std::size_t>(std::find(engines.begin(), engines.end(), engine) - engines.begin());
 }
 
 std::vector<Drawing> curves(const Report& report)
@@ -179,6 +199,12 @@ std::vector<Drawing> scalings(const Report& report)
     return drawings;
 }
 
+/// "tumbler, 2 threads", or the scene alone for one thread.
+std::string case_name(const ReportCase& one)
+{
+    return one.result->scene + (one.result->threads > 1 ? ", " + threads_text(one.result->threads) : "");
+}
+
 /// How many times faster the base is, scene by scene, with intervals.
 std::vector<Drawing> ratios(const Report& report)
 {
@@ -189,25 +215,59 @@ std::vector<Drawing> ratios(const Report& report)
     std::vector<Drawing> drawings;
     for (const auto& [engine, cases] : engines)
     {
-        Drawing drawing;
-        drawing.title = report.base + " is faster than " + engine + " by";
-        drawing.settings =
-            "set logscale x\nset xrange [*<0.5:2<*]\nset yrange [-0.7:" + std::to_string(static_cast<double>(cases.size()) - 0.3) +
-            "]\nunset key\nset xlabel 'times faster'\nset ytics (";
+        std::vector<std::string> names;
+        for (const auto& [one, comparison] : cases) names.push_back(case_name(*one));
+        Drawing drawing = rows_drawing(report.base + " is faster than " + engine + " by", names,
+                                       "set logscale x\nset xrange [*<0.5:2<*]\nunset key\nset xlabel 'times faster'\n"
+                                       "set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#888888'\n",
+                                       "with linespoints pt 7 ps 0.6");
         for (std::size_t i = 0; i < cases.size(); ++i)
         {
-            const CaseResult& result = *cases[i].first->result;
-            drawing.settings +=
-                (i > 0 ? ", " : "") + quoted(result.scene + " (" + std::to_string(result.threads) + ")") + " " + std::to_string(i);
             const Interval& interval = cases[i].second->interval;
             const auto place = static_cast<double>(i);
             drawing.lines.push_back(
                 {"", {{interval.low, place}, {cases[i].second->ratio, place}, {interval.high, place}}, color_of(report, engine)});
         }
-        drawing.settings += ")\nset arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#888888'\n";
-        drawing.style = "with linespoints pt 7 ps 0.6";
         drawings.push_back(std::move(drawing));
     }
+    return drawings;
+}
+
+/// What each engine has of a metric, scene by scene; nothing when it fits no scene.
+std::optional<Drawing> quality(const Report& report, const Metric& metric)
+{
+    std::vector<std::string> names;
+    std::map<std::string, Line> lines;
+    for (const ReportCase& one : report.cases)
+    {
+        const auto place = static_cast<double>(names.size());
+        bool is_shown = false;
+        for (const ReportRow& row : one.rows)
+        {
+            const auto value = row.result->quality.find(metric.name);
+            if (row.result->outcome != Outcome::Done || value == row.result->quality.end()) continue;
+            is_shown = true;
+            Line& line = lines[row.result->engine];
+            line.title = row.result->engine;
+            line.color = color_of(report, row.result->engine);
+            line.points.emplace_back(std::max(value->second, metric.floor), place);
+        }
+        if (is_shown) names.push_back(case_name(one));
+    }
+    if (names.empty()) return std::nullopt;
+    Drawing drawing = rows_drawing(std::string(metric.label) + "; at the left edge: that or less, which nobody minds", names,
+                                   "set logscale x\nset xrange [" + std::to_string(metric.floor) + ":*]\n", "with points pt 7 ps 0.7");
+    for (auto& [engine, line] : lines) drawing.lines.push_back(std::move(line));
+    const auto is_later = [](const Line& a, const Line& b) { return a.color > b.color; }; // equal ones hide each other: the base is on top
+    std::sort(drawing.lines.begin(), drawing.lines.end(), is_later);
+    return drawing;
+}
+
+std::vector<Drawing> qualities(const Report& report)
+{
+    std::vector<Drawing> drawings;
+    for (const Metric& metric : metrics())
+        if (std::optional<Drawing> drawing = quality(report, metric)) drawings.push_back(std::move(*drawing));
     return drawings;
 }
 
@@ -216,7 +276,8 @@ std::vector<Drawing> ratios(const Report& report)
 Plots draw_plots(const Report& report, const std::filesystem::path& scratch)
 {
     std::vector<Drawing> drawings = ratios(report);
-    for (Drawing& drawing : scalings(report)) drawings.push_back(std::move(drawing));
+    for (auto* more : {&scalings, &qualities})
+        for (Drawing& drawing : (*more)(report)) drawings.push_back(std::move(drawing));
     const std::size_t summaries = drawings.size();
     for (Drawing& drawing : curves(report)) drawings.push_back(std::move(drawing));
     std::filesystem::create_directories(scratch);

@@ -24,8 +24,8 @@ struct Plots
     std::string problem; ///< why there are none, or fewer; empty when all is well
 };
 
-/// Ratios with their intervals and scaling with the number of bodies where scenes come in sizes, which are summaries; and the time a step over the
-/// course of each case.
+/// Ratios with their intervals, scaling with the number of bodies where scenes come in sizes, and quality, which are summaries; and the time a step over
+/// the course of each case.
 /// @param scratch a folder for gnuplot's files
 Plots draw_plots(const Report& report, const std::filesystem::path& scratch);
 

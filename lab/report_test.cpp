@@ -96,7 +96,8 @@ TEST(Report, names_the_missing_in_every_format)
     const Report report = evaluate(results);
     for (const std::string& text : {report_text(report), report_markdown(report, {}, "plots"), report_html(report, {})})
     {
-        EXPECT_NE(text.find("missing: ./dev peers builds it"), std::string::npos);
+        EXPECT_NE(text.find("missing"), std::string::npos);
+        EXPECT_NE(text.find("./dev peers builds it"), std::string::npos);
         EXPECT_NE(text.find(results.origin.processor), std::string::npos);
     }
 }

@@ -85,7 +85,7 @@ std::string noise_line(const Report& report)
 Table time_table(const Report& report)
 {
     Table table({"scene", "bodies", "threads", "engine", "ms a step", report.base + " is faster by", "95% interval", "the engine is",
-                 "its quality is"});
+                 "its quality is, or why there is none"});
     for (const ReportCase& one : report.cases)
     {
         for (const ReportRow& row : one.rows)
@@ -95,7 +95,7 @@ Table time_table(const Report& report)
                                               result.engine};
             if (result.outcome != Outcome::Done)
             {
-                cells.push_back(name_of(result.outcome) + ": " + result.reason);
+                cells.insert(cells.end(), {name_of(result.outcome), "", "", "", result.reason});
                 table.add(cells);
                 continue;
             }

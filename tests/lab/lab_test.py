@@ -131,7 +131,7 @@ class Compare(LabTest):
         broken.write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
         broken.chmod(0o755)
         text = self.lab("compare", CAROM, broken, "--scenes", "stack_20", "--runs", 4, "--out", self.out)
-        self.assertIn("failed: exit status 1", text)
+        self.assertIn("exit status 1", text)
 
 
 if __name__ == "__main__":
