@@ -93,7 +93,8 @@ std::vector<lab::PlannedCase> plan_cases(const lab::Suite& suite, const std::vec
         const path name = folder / (scene.name + ".json");
         lab::write_scene_file(name, file);
         for (const int count : threads)
-            cases.push_back({.scene = scene.name,
+            cases.push_back({.suite = scene.scene->suite,
+                             .scene = scene.name,
                              .what = file.description,
                              .bodies = lab::body_count(file),
                              .steps = file.steps,
@@ -173,7 +174,7 @@ void write_markdown(const lab::Report& report, const lab::Plots& plots, const pa
     std::filesystem::remove_all(folder); // plots of another report
     std::filesystem::create_directories(folder);
     for (const lab::Plot& plot : plots.drawn)
-        if (plot.is_summary) write_text(folder / plot.file, plot.svg);
+        if (plot.kind != lab::PlotKind::Curve) write_text(folder / plot.file, plot.svg);
     write_text(file, report_markdown(report, plots, plot_folder));
 }
 

@@ -104,8 +104,13 @@ std::vector<double> median_curve(const std::vector<std::vector<double>>& curves)
 
 CaseResult finish(const PlannedCase& one, std::vector<Series>& all, const Evaluator& evaluate)
 {
-    CaseResult result{
-        .scene = one.scene, .what = one.what, .bodies = one.bodies, .steps = one.steps, .threads = one.threads, .engines = {}};
+    CaseResult result{.suite = one.suite,
+                      .scene = one.scene,
+                      .what = one.what,
+                      .bodies = one.bodies,
+                      .steps = one.steps,
+                      .threads = one.threads,
+                      .engines = {}};
     for (Series& series : all)
     {
         if (series.result.outcome == Outcome::Done)

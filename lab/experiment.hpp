@@ -23,6 +23,7 @@ struct Engine
 
 struct PlannedCase
 {
+    std::string suite = {}; ///< that the scene belongs to
     std::string scene;
     std::string what;
     int bodies = 0;

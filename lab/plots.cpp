@@ -119,6 +119,7 @@ std::string file_name(const std::string& title)
         else if (!name.empty() && name.back() != '-')
             name += '-';
     }
+    while (!name.empty() && name.back() == '-') name.pop_back();
     return name + ".svg";
 }
 
@@ -233,11 +234,12 @@ std::vector<Drawing> ratios(const Report& report)
     return drawings;
 }
 
-/// What each engine has of a metric, scene by scene; nothing when it fits no scene.
+/// What each engine has of a metric, scene by scene; nothing when nobody has so much of it that it matters.
 std::optional<Drawing> quality(const Report& report, const Metric& metric)
 {
     std::vector<std::string> names;
     std::map<std::string, Line> lines;
+    bool has_any = false;
     for (const ReportCase& one : report.cases)
     {
         const auto place = static_cast<double>(names.size());
@@ -247,6 +249,7 @@ std::optional<Drawing> quality(const Report& report, const Metric& metric)
             const auto value = row.result->quality.find(metric.name);
             if (row.result->outcome != Outcome::Done || value == row.result->quality.end()) continue;
             is_shown = true;
+            has_any = has_any || value->second > metric.floor;
             Line& line = lines[row.result->engine];
             line.title = row.result->engine;
             line.color = color_of(report, row.result->engine);
@@ -254,9 +257,11 @@ std::optional<Drawing> quality(const Report& report, const Metric& metric)
         }
         if (is_shown) names.push_back(case_name(one));
     }
-    if (names.empty()) return std::nullopt;
-    Drawing drawing = rows_drawing(std::string(metric.label) + "; at the left edge: that or less, which nobody minds", names,
-                                   "set logscale x\nset xrange [" + std::to_string(metric.floor) + ":*]\n", "with points pt 7 ps 0.7");
+    if (!has_any) return std::nullopt;
+    Drawing drawing = rows_drawing(metric.label, names,
+                                   "set logscale x\nset xrange [" + std::to_string(metric.floor) +
+                                       ":*]\nset xlabel 'at the left edge: that or less, which nobody minds'\n",
+                                   "with points pt 7 ps 0.7");
     for (auto& [engine, line] : lines) drawing.lines.push_back(std::move(line));
     const auto is_later = [](const Line& a, const Line& b) { return a.color > b.color; }; // equal ones hide each other: the base is on top
     std::sort(drawing.lines.begin(), drawing.lines.end(), is_later);
@@ -275,16 +280,20 @@ std::vector<Drawing> qualities(const Report& report)
 
 Plots draw_plots(const Report& report, const std::filesystem::path& scratch)
 {
-    std::vector<Drawing> drawings = ratios(report);
-    for (auto* more : {&scalings, &qualities})
-        for (Drawing& drawing : (*more)(report)) drawings.push_back(std::move(drawing));
-    const std::size_t summaries = drawings.size();
-    for (Drawing& drawing : curves(report)) drawings.push_back(std::move(drawing));
+    std::vector<std::pair<PlotKind, Drawing>> drawings;
+    const auto add = [&](PlotKind kind, std::vector<Drawing> more)
+    {
+        for (Drawing& drawing : more) drawings.emplace_back(kind, std::move(drawing));
+    };
+    add(PlotKind::Ratio, ratios(report));
+    add(PlotKind::Scaling, scalings(report));
+    add(PlotKind::Quality, qualities(report));
+    add(PlotKind::Curve, curves(report));
     std::filesystem::create_directories(scratch);
     Plots plots;
     for (std::size_t i = 0; i < drawings.size(); ++i)
     {
-        const Drawing& drawing = drawings[i];
+        const auto& [kind, drawing] = drawings[i];
         const std::filesystem::path script = scratch / "plot.gp";
         const std::filesystem::path out = scratch / "plot.svg";
         std::error_code ignored;
@@ -301,10 +310,10 @@ Plots draw_plots(const Report& report, const std::filesystem::path& scratch)
         if (svg.empty())
             plots.problem = "gnuplot could not draw \"" + drawing.title + "\": " + drawn.errors;
         else
-            plots.drawn.push_back({.title = drawing.title,
+            plots.drawn.push_back({.kind = kind,
+                                   .title = drawing.title,
                                    .file = file_name(drawing.title),
-                                   .svg = with_own_names(std::move(svg), static_cast<int>(i)),
-                                   .is_summary = i < summaries});
+                                   .svg = with_own_names(std::move(svg), static_cast<int>(i))});
     }
     return plots;
 }

@@ -54,16 +54,18 @@ ReportRow row_of(const EngineResult& engine, const EngineResult* base, const Com
     return row;
 }
 
-void add_to_means(const ReportCase& one, std::vector<ReportMean>& means, std::vector<std::vector<double>>& ratios)
+/// @param suite of the means to which a case is added
+void add_to_means(const ReportCase& one, const std::string& suite, std::vector<ReportMean>& means, std::vector<std::vector<double>>& ratios)
 {
     for (const ReportRow& row : one.rows)
     {
         if (!row.comparison) continue;
-        const auto is_it = [&](const ReportMean& mean) { return mean.engine == row.result->engine && mean.threads == one.result->threads; };
+        const auto is_it = [&](const ReportMean& mean)
+        { return mean.suite == suite && mean.engine == row.result->engine && mean.threads == one.result->threads; };
         auto place = std::find_if(means.begin(), means.end(), is_it);
         if (place == means.end())
         {
-            means.push_back({.engine = row.result->engine, .threads = one.result->threads, .cases = 0, .ratio = 1});
+            means.push_back({.suite = suite, .engine = row.result->engine, .threads = one.result->threads, .cases = 0, .ratio = 1});
             ratios.emplace_back();
             place = means.end() - 1;
         }
@@ -88,9 +90,13 @@ Report evaluate(const Results& results, const std::string& base, const Compariso
             const std::optional<Comparison>& comparison = one.rows.back().comparison;
             report.is_noisy = report.is_noisy || (comparison && comparison->is_noisy);
         }
-        add_to_means(one, report.means, ratios);
         report.cases.push_back(std::move(one));
     }
+    for (const ReportCase& one : report.cases) add_to_means(one, "all", report.means, ratios);
+    const auto is_other = [&](const CaseResult& one) { return one.suite != results.cases.front().suite; };
+    const bool has_many_suites = std::any_of(results.cases.begin(), results.cases.end(), is_other);
+    for (const ReportCase& one : report.cases)
+        if (has_many_suites) add_to_means(one, one.result->suite, report.means, ratios);
     for (std::size_t i = 0; i < ratios.size(); ++i)
     {
         report.means[i].cases = static_cast<int>(ratios[i].size());

@@ -39,9 +39,10 @@ struct ReportCase
 
 struct Plots; // lab/plots.hpp
 
-/// Over all cases that both finished.
+/// Over all cases of a suite that both finished.
 struct ReportMean
 {
+    std::string suite; ///< "all" for the scenes of every suite
     std::string engine;
     int threads = 1;
     int cases = 0;
@@ -62,7 +63,7 @@ struct Report
 Report evaluate(const Results& results, const std::string& base = "carom", const ComparisonOptions& options = {});
 
 std::string report_text(const Report& report);
-/// @param plots those that are summaries are linked to
+/// @param plots those of curves are left out: they are too many
 /// @param plot_folder where their files are, as seen from the text's file
 std::string report_markdown(const Report& report, const Plots& plots, const std::string& plot_folder);
 /// By scene, threads and engine: the median time a step, the base's speed as a ratio with its interval, quality, and the geometric means.

@@ -3,6 +3,7 @@
 #include "lab/plots.hpp"
 #include "lab/table.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -70,6 +71,22 @@ TEST(Report, tells_how_many_times_faster_the_base_is)
     EXPECT_FALSE(report.is_noisy);
 }
 
+TEST(Report, has_means_of_each_suite_where_there_are_several)
+{
+    Results results = some_results();
+    results.cases[0].suite = "ordinary";
+    results.cases[1].suite = "box2d";
+    results.cases[1].engines[2] = engine("slow", 10 * 8);
+    const Report report = evaluate(results);
+    std::map<std::string, double> slow;
+    for (const ReportMean& mean : report.means)
+        if (mean.engine == "slow") slow[mean.suite] = mean.ratio;
+    ASSERT_EQ(slow.size(), 3u);
+    EXPECT_NEAR(slow["ordinary"], 4, 1e-9);
+    EXPECT_NEAR(slow["box2d"], 8, 1e-9);
+    EXPECT_NEAR(slow["all"], std::sqrt(32.0), 1e-9);
+}
+
 TEST(Report, a_faster_engine_with_worse_quality_is_shown_as_such)
 {
     const Results results = some_results();
@@ -106,8 +123,8 @@ TEST(Report, shows_plots_and_says_when_it_has_none)
 {
     const Results results = some_results();
     const Report report = evaluate(results);
-    const Plots plots{.drawn = {{.title = "ratios", .file = "ratios.svg", .svg = "<svg>1</svg>", .is_summary = true},
-                                {.title = "pile", .file = "pile.svg", .svg = "<svg>2</svg>", .is_summary = false}},
+    const Plots plots{.drawn = {{.kind = PlotKind::Ratio, .title = "ratios", .file = "ratios.svg", .svg = "<svg>1</svg>"},
+                                {.kind = PlotKind::Curve, .title = "pile", .file = "pile.svg", .svg = "<svg>2</svg>"}},
                       .problem = "one is missing"};
     const std::string page = report_html(report, plots);
     for (const char* part : {"<svg>1</svg>", "<svg>2</svg>", "one is missing"}) EXPECT_NE(page.find(part), std::string::npos) << part;

@@ -180,9 +180,9 @@ Table quality_table(const Report& report)
 
 Table mean_table(const Report& report)
 {
-    Table table({"engine", "threads", "scenes", report.base + " is faster by (geometric mean)"});
+    Table table({"suite", "engine", "threads", "scenes", report.base + " is faster by (geometric mean)"});
     for (const ReportMean& mean : report.means)
-        table.add({mean.engine, std::to_string(mean.threads), std::to_string(mean.cases), number_text(mean.ratio) + " x"});
+        table.add({mean.suite, mean.engine, std::to_string(mean.threads), std::to_string(mean.cases), number_text(mean.ratio) + " x"});
     return table;
 }
 
@@ -212,13 +212,18 @@ std::string report_markdown(const Report& report, const Plots& plots, const std:
 {
     std::string out = "# Carom against its peers\n\n" + origin_line(*report.results) + "\n\n";
     if (report.is_noisy) out += noise_line(report) + "\n\n";
-    out += "## Means\n\n" + mean_table(report).markdown() + "\n";
-    for (const Plot& plot : plots.drawn)
-        if (plot.is_summary) out += "![" + plot.title + "](" + plot_folder + "/" + plot.file + ")\n";
+    const auto pictures = [&](PlotKind kind)
+    {
+        std::string links;
+        for (const Plot& plot : plots.drawn)
+            if (plot.kind == kind) links += "![" + plot.title + "](" + plot_folder + "/" + plot.file + ")\n";
+        return links.empty() ? links : "\n" + links;
+    };
+    out += "## Means\n\n" + mean_table(report).markdown() + pictures(PlotKind::Ratio) + pictures(PlotKind::Scaling);
     out += "\n## Times\n\n" + time_words(report) + "\n\n" + time_table(report).markdown();
     const Table parts = parts_table(report);
     if (!parts.is_empty()) out += "\n## Events and rays\n\n" + parts_words() + "\n\n" + parts.markdown();
-    out += "\n## Quality\n\n" + quality_words() + "\n\n" + quality_table(report).markdown();
+    out += "\n## Quality\n\n" + quality_words() + "\n\n" + quality_table(report).markdown() + pictures(PlotKind::Quality);
     const std::vector<std::string> differences = difference_lines(report);
     if (!differences.empty()) out += "\n## Settings that differ\n\n- " + joined(differences, "\n- ") + "\n";
     return out;
@@ -230,7 +235,11 @@ std::string report_json(const Report& report)
     for (const ReportCase& one : report.cases) cases.push_back(json_of(one));
     ordered_json means = ordered_json::array();
     for (const ReportMean& mean : report.means)
-        means.push_back({{"engine", mean.engine}, {"threads", mean.threads}, {"scenes", mean.cases}, {"speed_ratio", mean.ratio}});
+        means.push_back({{"suite", mean.suite},
+                         {"engine", mean.engine},
+                         {"threads", mean.threads},
+                         {"scenes", mean.cases},
+                         {"speed_ratio", mean.ratio}});
     const Origin& o = report.results->origin;
     const ordered_json json = {
         {"suite", report.results->suite}, {"base", report.base}, {"runs", report.results->runs}, {"processor", o.processor},

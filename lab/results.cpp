@@ -49,7 +49,8 @@ ordered_json json_of(const CaseResult& c)
 {
     ordered_json engines = ordered_json::array();
     for (const EngineResult& engine : c.engines) engines.push_back(json_of(engine));
-    return {{"scene", c.scene}, {"what", c.what}, {"bodies", c.bodies}, {"steps", c.steps}, {"threads", c.threads}, {"engines", engines}};
+    return {{"suite", c.suite}, {"scene", c.scene},     {"what", c.what},    {"bodies", c.bodies},
+            {"steps", c.steps}, {"threads", c.threads}, {"engines", engines}};
 }
 
 Origin origin_from(const ordered_json& j)
@@ -78,6 +79,7 @@ EngineResult engine_from(const ordered_json& j)
 CaseResult case_from(const ordered_json& j)
 {
     CaseResult c;
+    j.at("suite").get_to(c.suite);
     j.at("scene").get_to(c.scene);
     j.at("what").get_to(c.what);
     j.at("bodies").get_to(c.bodies);

@@ -52,6 +52,7 @@ struct EngineResult
 
 struct CaseResult
 {
+    std::string suite = {}; ///< that the scene belongs to, also when it was measured as part of another one
     std::string scene;
     std::string what;
     int bodies = 0; ///< that the file holds

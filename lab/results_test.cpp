@@ -16,7 +16,7 @@ Results some_results()
     results.origin = origin_here();
     results.suite = "quick";
     results.runs = 2;
-    CaseResult one{.scene = "pyramid", .what = "boxes", .bodies = 55, .steps = 100, .threads = 2, .engines = {}};
+    CaseResult one{.suite = "box2d", .scene = "pyramid", .what = "boxes", .bodies = 55, .steps = 100, .threads = 2, .engines = {}};
     one.engines.push_back({.engine = "carom",
                            .version = "0.1.0",
                            .outcome = Outcome::Done,
