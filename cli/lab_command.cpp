@@ -254,8 +254,12 @@ void lab_compare_command(const LabCompareRequest& request, const Surroundings& s
 void lab_history_command(const LabHistoryRequest& request, const Surroundings& surroundings)
 {
     const path out = request.out;
-    const lab::HistoryPlan plan{
-        .size = request.size, .steps = request.steps, .runs = request.runs, .carom = own_program(), .scratch = out / "scratch"};
+    const lab::HistoryPlan plan{.size = request.size,
+                                .steps = request.steps,
+                                .runs = request.runs,
+                                .carom = own_program(),
+                                .scratch = out / "scratch",
+                                .is_interrupted = surroundings.is_interrupted};
     const lab::History history = lab::run_history(plan, teller(surroundings));
     wipe_line(surroundings);
     const std::string text = history_text(history);

@@ -1,5 +1,6 @@
 // The command line as a person uses it, without starting a process.
 #include "cli/program.hpp"
+#include "lab/field_scenes/field_scenes.hpp"
 #include "scenes/registry.hpp"
 
 #include <carom/report.hpp>
@@ -312,7 +313,7 @@ TEST_F(Program, exports_and_runs_scenes_of_the_laboratory)
 TEST_F(Program, lists_the_scenes_of_the_laboratory)
 {
     const json list = json::parse(carom({"export", "--list", "--json"}).out);
-    EXPECT_EQ(list.size(), 26u);
+    EXPECT_EQ(list.size(), lab::field_scenes().size());
     EXPECT_EQ(list[0]["suite"], "box2d");
     const std::string text = carom({"export", "--list"}).out;
     for (const char* word : {"box2d", "ordinary", "origin", "nbody", "large_pyramid", "size=100 rows"})

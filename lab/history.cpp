@@ -50,11 +50,6 @@ std::vector<Engine> engines_of(const std::filesystem::path& carom)
     return engines;
 }
 
-double mean_of(const std::vector<double>& values)
-{
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 void add_run(Chapter& chapter, const EngineRun& run)
 {
     chapter.frames_ms.push_back(run.frame_ms());
@@ -84,7 +79,12 @@ History run_history(const HistoryPlan& plan, const std::function<void(const Prog
                     .chapters = {}};
     for (const Version& version : versions) history.chapters.push_back(chapter_of(version));
 
-    Plan experiment{.suite = "history", .cases = {}, .engines = engines_of(plan.carom), .runs = plan.runs, .scratch = plan.scratch};
+    Plan experiment{.suite = "history",
+                    .cases = {},
+                    .engines = engines_of(plan.carom),
+                    .runs = plan.runs,
+                    .scratch = plan.scratch,
+                    .is_interrupted = plan.is_interrupted};
     experiment.cases = {
         {.scene = "collisions", .what = file.description, .bodies = body_count(file), .steps = file.steps, .threads = 1, .file = path}};
     experiment.on_run = [&history](const Engine& engine, const EngineRun& run)

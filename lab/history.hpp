@@ -47,9 +47,10 @@ struct HistoryPlan
     int runs = 5;
     std::filesystem::path carom;   ///< the program
     std::filesystem::path scratch; ///< a folder
+    std::function<bool()> is_interrupted = {};
 };
 
-/// @throws std::runtime_error when a run fails
+/// @throws std::runtime_error when a run fails, or the plan is interrupted
 History run_history(const HistoryPlan& plan, const std::function<void(const Progress&)>& tell = {});
 
 /// What a version changed over the one before it.
