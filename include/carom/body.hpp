@@ -113,7 +113,9 @@ public:
     void set_gravity_scale(float scale);
     void set_locks(MotionLocks locks);
     void set_is_attractor(bool is_attractor);
-    /// Wakes the body, or puts it to sleep at once, and all that it touches or is joined to with it.
+    /// Wakes the body, or puts it to sleep at once, and all that it touches or is joined to with it. A body that is put to sleep before it has touched
+    /// anything sleeps on, beside other sleepers and on ground that does not move, until something that is awake touches it or an edit wakes it; with it
+    /// wake the sleepers that touch it, and those that touch them, from the first step on that has seen them together.
     void set_awake(bool is_awake);
     void set_can_sleep(bool can_sleep);
     void set_is_bullet(bool is_bullet);

@@ -35,12 +35,16 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
     return {.makes_contact = can_push && !are_held_apart(bodies, joints, a.body, b.body), .is_sensor = false};
 }
 
-void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
+bool find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
                 PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch)
 {
     contacts.begin_search();
     const bool has_nodes = broad_phase.stats().nodes > 0; // one that is new to the world has yet to make them
-    if (shapes.moved.empty() && has_nodes) return broad_phase.skip_search();
+    if (shapes.moved.empty() && has_nodes)
+    {
+        broad_phase.skip_search();
+        return false;
+    }
     std::pmr::vector<ProxyPair> found(&scratch);
     broad_phase.find_pairs(shapes.moved, found);
 
@@ -58,6 +62,7 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
     }
 
     known.reserve(known.size() + found.size());
+    bool any_idle = false;
     for (const ProxyPair pair : found)
     {
         Contact contact = {
@@ -66,8 +71,10 @@ void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
         mix_materials(contact, shapes, rules);
         contacts.create(contact, bodies);
         known.insert(pair);
+        any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));
     }
     shapes.clear_moved(); // last: if memory runs out above, the next step looks for the pairs again
+    return any_idle;
 }
 
 } // namespace carom::detail

@@ -28,7 +28,8 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
 /// Finds the pairs of the shapes that moved and makes contacts of the new ones, ordered by shape, so that the broad phase does not show.
 /// @param known pairs that are contacts already; grows by the new ones
 /// @param scratch for the list of pairs
-void find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
+/// @return whether any is between bodies of which none is active: the contact is awake all the same, to be looked at once
+bool find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
                 PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch);
 
 } // namespace carom::detail

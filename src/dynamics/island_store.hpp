@@ -37,7 +37,7 @@ public:
     void add(std::uint32_t body, BodyStore& bodies);
     /// The body has no links any more.
     void remove(std::uint32_t body, BodyStore& bodies);
-    /// A link between two dynamic bodies: their islands become one. Both are awake.
+    /// A link between two dynamic bodies: their islands become one. Both are awake, or both asleep.
     void link(std::uint32_t a, std::uint32_t b, BodyStore& bodies);
     /// A link between two dynamic bodies is gone.
     void unlink(std::uint32_t a, std::uint32_t b, const BodyStore& bodies);

@@ -7,6 +7,8 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 
+#include <span>
+
 namespace carom::detail
 {
 
@@ -85,11 +87,11 @@ void ContactChanges::clear()
     separated.clear();
 }
 
-void list_changes(const ShapeStore& shapes, const ContactStore& contacts, ContactChanges& changes)
+void list_changes(const ShapeStore& shapes, const ContactStore& contacts, std::size_t first, ContactChanges& changes)
 {
     changes.gained_points.clear();
     changes.lost_points.clear();
-    for (const std::uint32_t slot : contacts.awake)
+    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
         if (!is_separated(contacts.contacts[slot], shapes)) note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
 }
 
@@ -104,10 +106,10 @@ void forget_impulses(ContactManifold& manifold)
     for (ContactPointState& point : manifold.points) point.normal_impulse = point.tangent_impulse = 0;
 }
 
-void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes)
+void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    for (const std::uint32_t slot : contacts.awake)
+    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
     {
         Contact& contact = contacts.contacts[slot];
 

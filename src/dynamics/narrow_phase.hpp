@@ -26,14 +26,17 @@ struct ContactChanges
 };
 
 /// Fills the lists of gained and lost points anew, after points were taken away.
-void list_changes(const ShapeStore& shapes, const ContactStore& contacts, ContactChanges& changes);
+/// @param first as of update_manifolds
+void list_changes(const ShapeStore& shapes, const ContactStore& contacts, std::size_t first, ContactChanges& changes);
 /// Whether the fat bounds have parted: the contact is about to go, and its points are old.
 bool is_separated(const Contact& contact, const ShapeStore& shapes);
 
 /// Starts a contact cold: its shapes are no longer those that made its points.
 void forget_impulses(ContactManifold& manifold);
 
-/// Collides the shapes of every awake contact anew; points made by the same features keep their impulses.
-void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, ContactChanges& changes);
+/// Collides the shapes of awake contacts anew; points made by the same features keep their impulses.
+/// @param first where in the list of awake contacts to begin
+void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first,
+                      ContactChanges& changes);
 
 } // namespace carom::detail

@@ -13,6 +13,8 @@ namespace carom::detail
 
 /// No place, no neighbour.
 inline constexpr std::uint32_t null_index = std::numeric_limits<std::uint32_t>::max();
+/// A number of steps that no world reaches.
+inline constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
 /// Hands out indices 0, 1, 2, ... and takes them back. The next one is the one that came back last. An index whose generations
 /// are used up never comes again, so an old id can't name a new tenant.

@@ -33,6 +33,7 @@ void insert_proxy(WorldState& world, std::uint32_t shape)
     bounds.fat = fattened(bounds.tight, {});
     world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
     world.shapes.mark_moved(shape);
+    world.shapes.records[shape].placed_at = world.step_count;
     world.must_review = true;
 }
 
@@ -213,6 +214,7 @@ void set_filter(WorldState& world, std::uint32_t shape, const Filter& filter)
     ShapeRecord& record = world.shapes.records[shape];
     if (record.filter == filter) return;
     record.filter = filter;
+    record.placed_at = world.step_count;
     wake_with_neighbors(world, record.body);
     world.must_review = true;
     for_each_contact_of_shape(world, shape, [&](std::uint32_t slot)
@@ -256,6 +258,7 @@ void set_body_transform(WorldState& world, std::uint32_t body, const Transform& 
     wake_with_neighbors(world, body);
     review_contacts(world, body);
     world.bodies.set_transform(body, transform);
+    for_each_shape(world, body, [&](std::uint32_t shape) { world.shapes.records[shape].placed_at = world.step_count; });
     if (world.bodies.records[body].is_enabled)
         refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
     else

@@ -60,7 +60,7 @@ void add_geometry(Hasher& hasher, const Geometry& geometry)
     }
 }
 
-void add_bodies(Hasher& hasher, const detail::BodyStore& bodies)
+void add_bodies(Hasher& hasher, const detail::BodyStore& bodies, std::uint64_t step_count)
 {
     add_slots(hasher, bodies.slots);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot)
@@ -76,10 +76,11 @@ void add_bodies(Hasher& hasher, const detail::BodyStore& bodies)
         hasher.add_all(body.island, body.next_in_island, bodies.watches[bodies.motion_index[slot]].rest_time);
         hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force,
                        drive.torque);
+        if (body.is_asleep && body.put_to_sleep_at == step_count) hasher.add(step_count); // whom it touches in the next step
     }
 }
 
-void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
+void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes, const detail::BodyStore& bodies, std::uint64_t step_count)
 {
     add_slots(hasher, shapes.slots);
     for (std::uint32_t slot = 0; slot < shapes.slots.size(); ++slot)
@@ -93,6 +94,7 @@ void add_shapes(Hasher& hasher, const detail::ShapeStore& shapes)
         hasher.add_all(shape.filter.category, shape.filter.mask, static_cast<std::uint32_t>(shape.filter.group));
         hasher.add_all(shapes.bounds[slot].fat, shapes.place_in_moved[slot] != detail::null_index);
         add_geometry(hasher, shapes.geometry[slot]);
+        if (shape.placed_at == step_count && !bodies.is_dynamic(shape.body)) hasher.add(step_count); // whom it wakes in the next step
         if (shape.hit_events || shape.pre_solve) hasher.add_all(shape.hit_events, shape.pre_solve);
         if (shape.chain != detail::null_index)
             hasher.add_all(shape.chain, shape.previous_in_chain, shape.next_in_chain, shape.is_one_sided);
@@ -211,8 +213,8 @@ std::uint64_t World::hash() const
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
     hasher.add_all(world.sleep.is_enabled, world.sleep.speed, world.sleep.time, world.is_continuous);
-    add_bodies(hasher, world.bodies);
-    add_shapes(hasher, world.shapes);
+    add_bodies(hasher, world.bodies, world.step_count);
+    add_shapes(hasher, world.shapes, world.bodies, world.step_count);
     add_chains(hasher, world.chains);
     add_contacts(hasher, world.contacts);
     add_joints(hasher, world.joints);

@@ -4,6 +4,7 @@
 #include "dynamics/mix_materials.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace carom::detail
 {
@@ -46,11 +47,11 @@ void apply(const PreSolve& wanted, Contact& contact)
 
 } // namespace
 
-void ask_pre_solve(WorldState& world, ContactChanges& changes)
+void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes)
 {
     if (world.rules.hooks == nullptr) return;
     bool any_disabled = false;
-    for (const std::uint32_t slot : world.contacts.awake)
+    for (const std::uint32_t slot : std::span(world.contacts.awake).subspan(first))
     {
         Contact& contact = world.contacts.contacts[slot];
         ContactManifold& manifold = world.contacts.manifolds[slot];
@@ -67,7 +68,7 @@ void ask_pre_solve(WorldState& world, ContactChanges& changes)
         contact.is_disabled = true;
         any_disabled = true;
     }
-    if (any_disabled) list_changes(world.shapes, world.contacts, changes);
+    if (any_disabled) list_changes(world.shapes, world.contacts, first, changes);
 }
 
 } // namespace carom::detail

@@ -9,6 +9,7 @@ namespace carom::detail
 
 /// Calls ContactHooks::pre_solve for every contact with points that asks for it and is awake. A disabled contact loses its points for
 /// this step, and the lists of changes follow.
-void ask_pre_solve(WorldState& world, ContactChanges& changes);
+/// @param first where in the list of awake contacts to begin
+void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes);
 
 } // namespace carom::detail

@@ -96,6 +96,19 @@ bool is_moving(const BodyMotion& motion) { return motion.v != Vec2{} || motion.w
 
 bool is_kinematic(const WorldState& world, std::uint32_t body) { return world.bodies.records[body].type == BodyType::Kinematic; }
 
+/// Whether the body disturbs whom it touches: a kinematic one that stands still is about to sleep, and counts as ground.
+bool is_stirring(const WorldState& world, std::uint32_t body)
+{
+    return world.bodies.is_active(body) && (!is_kinematic(world, body) || is_moving(world.bodies.motions[world.bodies.motion_index[body]]));
+}
+
+/// Whether an edit has put a shape of the ground upon a dynamic body that slept already.
+bool is_put_upon(const WorldState& world, std::uint32_t shape, std::uint32_t sleeper)
+{
+    return world.bodies.is_dynamic(sleeper) && world.shapes.records[shape].placed_at == world.step_count &&
+           world.bodies.records[sleeper].put_to_sleep_at != world.step_count;
+}
+
 /// Keeps awake what a moving kinematic body touches or is joined to.
 void disturb_neighbors(WorldState& world, std::uint32_t body)
 {
@@ -202,10 +215,22 @@ void wake_body(WorldState& world, std::uint32_t body)
 void put_body_to_sleep(WorldState& world, std::uint32_t body)
 {
     const BodyRecord& record = world.bodies.records[body];
-    if (record.island != null_index) return put_island_to_sleep(world, record.island);
+    if (record.island != null_index)
+    {
+        for_each_of_island(world, record.island,
+                           [&](std::uint32_t each) { world.bodies.records[each].put_to_sleep_at = world.step_count; });
+        return put_island_to_sleep(world, record.island);
+    }
     if (!world.bodies.is_active(body)) return;
     deactivate(world, body);
     refresh_joints_of_body(world, body);
+}
+
+bool is_felt(const WorldState& world, const Contact& contact)
+{
+    if (is_stirring(world, contact.body_a) || is_stirring(world, contact.body_b)) return true;
+    if (world.bodies.is_dynamic(contact.body_a) && world.bodies.is_dynamic(contact.body_b)) return false;
+    return is_put_upon(world, contact.shape_a, contact.body_b) || is_put_upon(world, contact.shape_b, contact.body_a);
 }
 
 void wake_all(WorldState& world)

@@ -246,4 +246,18 @@ TEST_F(SleepTest, PuttingToSleepByHand)
     EXPECT_LT(world.body(falling).position().y, there.y);
 }
 
+/// The contacts of an island that is woken within a step hold it together in that step.
+TEST_F(SleepTest, AnIslandThatIsHitIsSolvedAtOnce)
+{
+    World space({.gravity = {}});
+    for (int i = 0; i < 8; ++i) space.create_body({.position = {static_cast<float>(i), 0}}, box(1, 1));
+    for (int i = 0; i < 120; ++i) space.step(dt);
+    ASSERT_EQ(space.awake_body_count(), 0);
+    space.create_body({.position = {-2, 0}, .linear_velocity = {30, 0}}, box(1, 1));
+    StepReport report;
+    for (int i = 0; i < 30 && report.awake_bodies < 2; ++i) report = space.step(dt);
+    EXPECT_EQ(report.awake_bodies, 9);
+    EXPECT_EQ(report.rows, 8);
+}
+
 } // namespace carom

@@ -3,16 +3,15 @@
 
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
-#include "dynamics/narrow_phase.hpp"
 #include "solver/contact_solver.hpp"
 #include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
 #include "solver/softness.hpp"
 #include "world/check_state.hpp"
 #include "world/edits.hpp"
-#include "world/pre_solve.hpp"
 #include "world/sleep.hpp"
 #include "world/stage_runner.hpp"
+#include "world/update_contacts.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -23,27 +22,6 @@ namespace carom::detail
 
 namespace
 {
-
-/// Takes contacts in and out of the solver, and out of the world, as their manifolds say.
-void apply_changes(WorldState& world, const ContactChanges& changes)
-{
-    for (const std::uint32_t contact : changes.lost_points)
-    {
-        const Contact& pair = world.contacts.contacts[contact];
-        take_color(contact, world.contacts, world.bodies);
-        world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
-    }
-    for (const std::uint32_t contact : changes.separated) destroy_contact(world, contact);
-    for (const std::uint32_t contact : changes.gained_points)
-    {
-        const Contact& pair = world.contacts.contacts[contact];
-        wake_body(world, pair.body_a);
-        wake_body(world, pair.body_b);
-        give_color(contact, world.contacts, world.bodies);
-        if (world.bodies.is_dynamic(pair.body_a) && world.bodies.is_dynamic(pair.body_b))
-            world.islands.link(pair.body_a, pair.body_b, world.bodies);
-    }
-}
 
 void disable(WorldState& world, std::span<const std::uint32_t> not_finite)
 {
@@ -162,22 +140,17 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     world.arena.reset();
     world.quarantined.clear();
     world.events.clear();
-    ContactChanges changes(world.arena);
     ContactSolver<float> solver(world.arena);
     ContinuousCollision continuous(world.arena);
     StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
 
     run(Stage::FindPairs, [&]
     {
-        find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
+        if (find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena))
+            world.must_review = true;
         make_room_for_contacts(world);
     });
-    run(Stage::UpdateManifolds, [&]
-    {
-        update_manifolds(world.bodies, world.shapes, world.contacts, changes);
-        ask_pre_solve(world, changes);
-        apply_changes(world, changes);
-    });
+    run(Stage::UpdateManifolds, [&] { update_contacts(world); });
     const ColorLists colors = run(Stage::BuildRows, [&] { return build_rows(world, solver, dt, substeps); });
     if (dt > 0)
     {
