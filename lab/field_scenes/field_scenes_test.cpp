@@ -143,6 +143,22 @@ TEST(FieldScenes, the_smashed_squares_sleep_until_they_are_hit)
     EXPECT_GT(player.world().awake_body_count(), 100);
 }
 
+/// A beam that is held back at each body that it pushes, while it keeps the speed that its motor gives it, comes to turn as fast as the motor can,
+/// and all but stands still.
+TEST(FieldScenes, the_spinner_turns_as_fast_as_its_spin_says)
+{
+    FilePlayer player(made("spinner", 2000));
+    const BodyId beam = player.playback().body(1);
+    float told = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+        player.step();
+        told += player.world().body(beam).angular_velocity() / 60;
+    }
+    EXPECT_GT(told, 0.5f) << "it stirs";
+    EXPECT_NEAR(player.world().body(beam).angle(), told, 0.1f * told);
+}
+
 TEST(FieldScenes, dolls_come_and_go)
 {
     FilePlayer player(made("rain", 2));
