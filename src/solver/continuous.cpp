@@ -24,11 +24,12 @@ constexpr float impact_distance = 0.5f * linear_slop;
 
 /// A shape that goes into another no deeper than this share of its inner radius has not begun to pass through: it slides along it, over tiles and
 /// seams. Tests: continuous_test, terrain_test. Against what can give way, more: in a crowd all push all, and who is stopped at each neighbour
-/// keeps a speed with which it does not move (field_scenes_test). For a bullet less, since a grazing blow is a blow; and
-/// for two that joints hold, which would tangle and never come to rest (ragdolls_test).
+/// keeps a speed with which it does not move (field_scenes_test). For bullets, and for what flies many times its own size in a step, less, since a grazing
+/// blow is a blow; and for two that joints hold, which would tangle and never come to rest (ragdolls_test).
 constexpr float sliding_share = 0.25f;
 constexpr float crowding_share = 0.5f;
 constexpr float grazing_share = 0.05f;
+constexpr float crowded_way = 4; // in inner radii of the thinner one
 
 class Collector final : public BoxVisitor
 {
@@ -51,6 +52,8 @@ Sweep slow_way(const BodyStore& bodies, std::uint32_t body, float dt)
     const float turn = dt * bodies.spin(body);
     return {pose.local_center, pose.center - dt * bodies.velocity(body), pose.center, rotation(-turn) * pose.transform.q, turn};
 }
+
+Vec2 center_way(const Sweep& way) { return way.center_end - way.center_start; }
 
 /// The contact of two shapes, looked for among those of one's body; null when there is none.
 const Contact* find_contact(const BodyStore& bodies, const ContactStore& contacts, std::uint32_t body, std::uint32_t a, std::uint32_t b)
@@ -276,7 +279,8 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const bool are_held = is_held(pair.shape_a) && is_held(pair.shape_b);
     const bool has_bullet = movers_[pair.mover_a].is_bullet || (pair.mover_b != null_index && movers_[pair.mover_b].is_bullet);
     const bool are_dynamic = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
-    const float first_share = !are_dynamic ? sliding_share : has_bullet || are_held ? grazing_share : crowding_share;
+    const bool are_crowded = !has_bullet && !are_held && length(center_way(way_a) - center_way(way_b)) < crowded_way * thinner;
+    const float first_share = !are_dynamic ? sliding_share : are_crowded ? crowding_share : grazing_share;
     if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way, first_share * thickness)) return;
 
     const ConvexPoints points_b = convex_points(other);

@@ -17,7 +17,7 @@ struct SceneHash
 
 inline constexpr std::array scenes = {
     SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdce2d667fe27e555},
-    SceneHash{"collisions", 0x925ae9178ed0f540},    SceneHash{"gravity", 0x3b3a455d4b9e0141},
+    SceneHash{"collisions", 0x4f0e86875fb1f3fa},    SceneHash{"gravity", 0x3b3a455d4b9e0141},
     SceneHash{"queries", 0x74131156f1828b82},       SceneHash{"character", 0xc8b3667b5c82dca1},
     SceneHash{"chain-terrain", 0xb01b45d30681730d}, SceneHash{"tiles", 0x85d3ac19385e9673},
     SceneHash{"one-way", 0x47710e96f90fc015},       SceneHash{"bullets", 0x5d556abcb5ea9d09},

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-STEPS = 150
+STEPS = 300  # allocations are counted in the second half, when the world no longer grows
 RUNS = 4
 VERSIONS = ["BruteForce", "QuadtreeNaive", "QuadtreeWithSet", "Quadtree", "Tree"]
 
