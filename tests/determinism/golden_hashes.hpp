@@ -24,7 +24,7 @@ inline constexpr std::array scenes = {
     SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0x4f763b44f8b29a98},
     SceneHash{"domino", 0xd7f642531f8c9657},        SceneHash{"newton-cradle", 0x98359510ae2eede0},
     SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
-    SceneHash{"joints", 0x6c4a1954d27689e},        SceneHash{"ragdolls", 0xf988a22a75fdbc17},
+    SceneHash{"joints", 0x6c4a1954d27689e},         SceneHash{"ragdolls", 0xf988a22a75fdbc17},
     SceneHash{"car", 0x9212a8ad76557b7e},           SceneHash{"mass-ratio", 0x9e1869b6112eb11c},
 };
 
