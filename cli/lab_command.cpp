@@ -99,18 +99,17 @@ std::vector<lab::PlannedCase> plan_cases(const lab::Suite& suite, const std::vec
                              .bodies = lab::body_count(file),
                              .steps = file.steps,
                              .threads = count,
-                             .samples = scene.samples,
+                             .samples = scene.samples(),
                              .file = name});
     }
     return cases;
 }
 
-/// Tells on a terminal how an experiment goes, and ends it when the person wants it.
+/// Tells on a terminal how an experiment goes.
 std::function<void(const lab::Progress&)> teller(const Surroundings& surroundings)
 {
     return [&surroundings](const lab::Progress& progress)
     {
-        if (surroundings.is_interrupted && surroundings.is_interrupted()) throw Failure("interrupted");
         if (!surroundings.err_is_terminal) return;
         surroundings.err << "\r\033[K" << progress.done + 1 << " of " << progress.total << ": " << progress.now;
         if (progress.done > 0) surroundings.err << ", " << duration_text(progress.seconds_left) << " left";
@@ -171,7 +170,6 @@ void write_text(const path& file, const std::string& text)
 void write_markdown(const lab::Report& report, const lab::Plots& plots, const path& file, const std::string& plot_folder)
 {
     const path folder = file.parent_path() / plot_folder;
-    std::filesystem::remove_all(folder); // plots of another report
     std::filesystem::create_directories(folder);
     for (const lab::Plot& plot : plots.drawn)
         if (plot.kind != lab::PlotKind::Curve) write_text(folder / plot.file, plot.svg);
@@ -207,6 +205,8 @@ void lab_run_command(const LabRunRequest& request, const Surroundings& surroundi
 
 void lab_report_command(const LabReportRequest& request, const Surroundings& surroundings)
 {
+    if (!request.markdown.empty() && path(request.markdown).extension() != ".md")
+        throw BadUsage("--markdown: \"" + request.markdown + "\" is no name of a text; give one that ends in .md");
     const lab::Results results = results_in(request.folder);
     const lab::Report report = lab::evaluate(results, request.base);
     if (request.is_json)

@@ -101,8 +101,11 @@ TEST_F(LabCommandTest, reports_in_every_format)
     EXPECT_EQ(report.status, 0) << report.err;
     for (const char* name : {"report.md", "report.html", "report.json"})
         EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "a" / name)) << name;
+    std::filesystem::create_directories(folder_ / "benchmarks");
+    std::ofstream(folder_ / "benchmarks" / "mine.txt") << "mine";
     EXPECT_EQ(carom({"lab", "report", path("a"), "--markdown", path("benchmarks.md")}).status, 0);
     EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "benchmarks.md"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "benchmarks" / "mine.txt")) << "a folder that was there keeps what is in it";
     EXPECT_TRUE(std::filesystem::is_directory(folder_ / "benchmarks"));
     const Outcome json = carom({"lab", "report", path("a"), "--json"});
     EXPECT_NEAR(nlohmann::json::parse(json.out)["cases"][0]["engines"][0]["median_ms"].get<double>(), 1.0035, 1e-9);
@@ -123,6 +126,8 @@ TEST_F(LabCommandTest, says_what_can_not_be_had)
     refused({"lab", "run", "--threads", "0", "--out", path("x")}, "--threads: \"0\"");
     refused({"lab", "run", "--runs", "2", "--out", path("x")}, "--runs");
     refused({"lab", "selfcheck", "--scene", "stack_20,shots", "--out", path("x")}, "names 2; give one");
+    results("a", 1);
+    refused({"lab", "report", path("a"), "--markdown", path("a")}, "ends in .md");
     refused({"lab", "report", path("nothing")}, "carom lab run");
     refused({"lab", "compare", path("nothing"), path("nothing")}, "neither a folder");
     refused({"lab", "step", path("nothing.json"), "--out", path("y")}, "nothing.json");

@@ -36,6 +36,11 @@ void add_scenes(CLI::App& command, std::string& scenes)
     command.add_option("--scenes", scenes, "Some scenes of the suite alone")->type_name("A,B,...");
 }
 
+void add_runs(CLI::App& command, int& runs, const std::string& what)
+{
+    command.add_option("--runs", runs, what)->type_name("N")->check(CLI::Range(fewest_runs, most_runs))->capture_default_str();
+}
+
 void add_run(CLI::App& lab, const Surroundings& surroundings)
 {
     CLI::App* const command = lab.add_subcommand("run", "Measure engines on a suite of scenes, and write a report");
@@ -46,10 +51,7 @@ void add_run(CLI::App& lab, const Surroundings& surroundings)
     command->add_option("--threads", request->threads, "Numbers of threads to offer, one after the other")
         ->type_name("N,M,...")
         ->capture_default_str();
-    command->add_option("--runs", request->runs, "How often each engine runs each scene")
-        ->type_name("N")
-        ->check(CLI::Range(fewest_runs, most_runs))
-        ->capture_default_str();
+    add_runs(*command, request->runs, "How often each engine runs each scene");
     command->add_option("--out", request->out, "Folder for results and reports")->type_name("DIR")->required();
     command->add_option("--peers", request->peers, "Folder of the peers' programs; by default build/peers/bin")->type_name("DIR");
     command->footer(suite_notes());
@@ -78,10 +80,7 @@ void add_compare(CLI::App& lab, const Surroundings& surroundings)
     command->add_option("b", request->b, "The same kind")->type_name("B")->required();
     command->add_option("--suite", request->suite, "The scenes on which programs are measured")->capture_default_str();
     add_scenes(*command, request->scenes);
-    command->add_option("--runs", request->runs, "How often each program runs each scene")
-        ->type_name("N")
-        ->check(CLI::Range(fewest_runs, most_runs))
-        ->capture_default_str();
+    add_runs(*command, request->runs, "How often each program runs each scene");
     command->add_option("--out", request->out, "Folder for the results of programs")->type_name("DIR");
     command->callback([request, &surroundings] { lab_compare_command(*request, surroundings); });
 }
@@ -99,10 +98,7 @@ void add_history(CLI::App& lab, const Surroundings& surroundings)
         ->type_name("N")
         ->check(CLI::Range(2, 1'000'000))
         ->capture_default_str();
-    command->add_option("--runs", request->runs, "How often each version runs")
-        ->type_name("N")
-        ->check(CLI::Range(fewest_runs, most_runs))
-        ->capture_default_str();
+    add_runs(*command, request->runs, "How often each version runs");
     command->add_option("--out", request->out, "Folder for the table and what it is made from")->type_name("DIR")->required();
     command->callback([request, &surroundings] { lab_history_command(*request, surroundings); });
 }
@@ -118,10 +114,7 @@ void add_self_check(CLI::App& lab, const Surroundings& surroundings)
         ->type_name("N")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
-    command->add_option("--runs", request->runs, "Runs of each side in a comparison")
-        ->type_name("N")
-        ->check(CLI::Range(fewest_runs, most_runs))
-        ->capture_default_str();
+    add_runs(*command, request->runs, "Runs of each side in a comparison");
     command->add_option("--slowdown", request->slowdown, "The share by which the planted one is slower")
         ->type_name("SHARE")
         ->check(CLI::Range(0.001, 10.0))

@@ -26,8 +26,7 @@ constexpr std::array versions = {
     Version{"every pair", BroadPhaseType::BruteForce, "Each shape that has left its bounds is tested against every other."},
     Version{"naive quadtree", BroadPhaseType::QuadtreeNaive,
             "Shapes are inserted one by one, each into every leaf that it touches. Two that share leaves are found in each of them, so a "
-            "hash set "
-            "(std::unordered_set) drops what was found before."},
+            "hash set (std::unordered_set) drops what was found before."},
     Version{
         "flat quadtree, pairs in a set", BroadPhaseType::QuadtreeWithSet,
         "The nodes lie in one array, built by sorting, and a shape lies once, in the deepest node that holds it. No pair can come twice, "

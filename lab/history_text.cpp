@@ -63,8 +63,6 @@ Table version_table(const History& history)
     return table;
 }
 
-std::string interval_text(const Interval& interval) { return number_text(interval.low) + " to " + number_text(interval.high); }
-
 std::string p_text(double p) { return p < 1e-4 ? "< 0.0001" : number_text(p, 2); }
 
 /// What somebody reads from a p value alone.
@@ -84,7 +82,7 @@ std::vector<std::string> row_of(const std::string& what, const Comparison& c)
             p_text(c.mann_whitney_p),
             number_text(c.ratio),
             interval_text(c.interval),
-            std::string(name_of(c.verdict)) + (c.is_noisy ? ", noisy" : "")};
+            verdict_text(c)};
 }
 
 Table change_table(const History& history, std::size_t after)
@@ -109,14 +107,7 @@ std::string alarm_line(const History& history)
            number_text(0.05 * alarms.pairs, 2) + ".";
 }
 
-std::string head_line(const History& history)
-{
-    Results results;
-    results.origin = history.origin;
-    results.suite = "history";
-    results.runs = history.runs;
-    return origin_line(results);
-}
+std::string head_line(const History& history) { return origin_line(history.origin, "history", history.runs); }
 
 std::string scene_line(const History& history)
 {

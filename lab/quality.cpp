@@ -243,7 +243,7 @@ std::map<std::string, double> quality_of(const SceneFile& file, const std::vecto
     for (const Sample& sample : samples)
     {
         stage.show(sample);
-        passages.look(stage.world(), sample.step);
+        if (traits.has_shots) passages.look(stage.world(), sample.step);
         const Overlaps overlaps = stage.overlaps();
         deepest = std::max(deepest, overlaps.most);
         sum += overlaps.sum;

@@ -17,6 +17,7 @@ struct QualityTraits
     bool stands = false;         ///< what is there at the start stays where it is
     bool keeps_energy = false;   ///< no friction, restitution 1, no fields but uniform gravity
     bool keeps_momentum = false; ///< nothing pushes from outside: no gravity but that between bodies, nothing static
+    bool has_shots = false;      ///< fast things fly at thin ones: seen after every step, to count what goes through
     bool is_closed = false;      ///< no moving body can leave what is around: the bounds of those that are not dynamic, turned by any angle
 };
 
@@ -24,7 +25,7 @@ struct QualityTraits
 /// shapes that may collide.
 /// - deepest_penetration_m over all samples, mean_penetration_m of touching shapes over all samples
 /// - joint_separation_m: the largest over all samples of what joints miss that they hold rigidly
-/// - tunnelled: pairs of bodies of which one went through the other (lab/passages.hpp); only from samples after every step
+/// - tunnelled: pairs of bodies of which one went through the other (lab/passages.hpp); where there are shots, from samples after every step
 /// - lost: bodies that are not finite, or beyond the largest coordinate, in any sample
 /// and, by the traits, of the last sample:
 /// - rest_energy_j_per_kg: kinetic energy over mass; drift_m: the farthest that a body has come from its start; escapes: bodies outside of the bounds

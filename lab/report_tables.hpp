@@ -15,7 +15,12 @@ Table mean_table(const Report& report);
 std::string time_words(const Report& report); ///< how to read the tables
 std::string parts_words();
 std::string quality_words();
+/// What was measured, how often, and with what.
+std::string origin_line(const Origin& origin, const std::string& suite, int runs);
 std::string origin_line(const Results& results);
+std::string interval_text(const Interval& interval, int digits = 3);
+/// "faster", "no difference, noisy".
+std::string verdict_text(const Comparison& comparison);
 std::string noise_line(const Report& report); ///< empty when it was quiet
 std::vector<std::string> difference_lines(const Report& report);
 std::string joined(const std::vector<std::string>& words, const std::string& between);

@@ -67,12 +67,23 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
     return all;
 }
 
-std::string origin_line(const Results& results)
+std::string origin_line(const Origin& o, const std::string& suite, int runs)
 {
-    const Origin& o = results.origin;
-    return "Suite " + results.suite + ", " + std::to_string(results.runs) + " runs of each engine in turns. Carom " + o.version +
+    return "Suite " + suite + ", " + std::to_string(runs) + " runs of each engine in turns. Carom " + o.version +
            (o.commit.empty() ? "" : " at " + o.commit) + ", " + o.compiler + " " + o.flags + ". " + o.processor + ", " +
            std::to_string(o.cores) + " cores, " + o.system + ", " + o.date + ".";
+}
+
+std::string origin_line(const Results& results) { return origin_line(results.origin, results.suite, results.runs); }
+
+std::string interval_text(const Interval& interval, int digits)
+{
+    return number_text(interval.low, digits) + " to " + number_text(interval.high, digits);
+}
+
+std::string verdict_text(const Comparison& comparison)
+{
+    return std::string(name_of(comparison.verdict)) + (comparison.is_noisy ? ", noisy" : "");
 }
 
 std::string noise_line(const Report& report)
@@ -103,8 +114,8 @@ Table time_table(const Report& report)
             if (const auto& c = row.comparison)
             {
                 cells.push_back(number_text(c->ratio) + " x");
-                cells.push_back(number_text(c->interval.low) + " to " + number_text(c->interval.high));
-                cells.emplace_back(std::string(name_of(c->verdict)) + (c->is_noisy ? ", noisy" : ""));
+                cells.push_back(interval_text(c->interval));
+                cells.push_back(verdict_text(*c));
             }
             else
                 cells.insert(cells.end(), 3, "");
@@ -264,8 +275,7 @@ std::string compare_text(const Results& a, const Results& b, const ComparisonOpt
             const Comparison c = compare(engine.run_ms, same->run_ms, options);
             is_noisy = is_noisy || c.is_noisy;
             table.add({one.scene, std::to_string(one.threads), engine.engine, number_text(c.median_a), number_text(c.median_b),
-                       number_text(c.ratio, 4), number_text(c.interval.low, 4) + " to " + number_text(c.interval.high, 4),
-                       number_text(c.mann_whitney_p, 2), std::string(name_of(c.verdict)) + (c.is_noisy ? ", noisy" : "")});
+                       number_text(c.ratio, 4), interval_text(c.interval, 4), number_text(c.mann_whitney_p, 2), verdict_text(c)});
         }
     }
     std::string out = "A: " + origin_line(a) + "\nB: " + origin_line(b) + "\n\n" + table.text();

@@ -38,11 +38,11 @@ std::vector<std::string> row_of(const std::string& name, const Comparison& c)
             number_text(c.median_a),
             number_text(c.median_b),
             number_text(c.ratio, 4),
-            number_text(c.interval.low, 4) + " to " + number_text(c.interval.high, 4),
+            interval_text(c.interval, 4),
             number_text(c.mann_whitney_p, 2),
             number_text(c.student.p, 2),
             number_text(c.welch.p, 2),
-            std::string(name_of(c.verdict)) + (c.is_noisy ? ", noisy" : "")};
+            verdict_text(c)};
 }
 
 } // namespace
@@ -83,18 +83,14 @@ SelfCheck run_self_check(const SelfCheckPlan& plan, const std::function<void(con
 
 std::string self_check_text(const SelfCheck& check)
 {
-    Results origin;
-    origin.origin = check.origin;
-    origin.suite = "selfcheck on " + check.plan.scene.scene;
-    origin.runs = check.plan.runs;
     Table table({"try", "A ms", "B ms", "B / A", "95% interval", "Mann-Whitney p", "Student p", "Welch p", "B is"});
     for (std::size_t i = 0; i < check.same.size(); ++i) table.add(row_of(std::to_string(i + 1), check.same[i]));
     const std::string percent = number_text(100 * check.plan.slowdown, 2) + "%";
     table.add(row_of("B slowed by " + percent, check.planted));
     const bool is_found = check.planted.verdict == Verdict::Slower;
-    return origin_line(origin) + "\n\n" + table.text() + "\nThe same program against itself: a difference in " +
-           std::to_string(check.false_alarms()) + " of " + std::to_string(check.same.size()) + " tries. A slowdown of " + percent +
-           (is_found ? " was found" : " was NOT found") + ".\n" +
+    return origin_line(check.origin, "selfcheck on " + check.plan.scene.scene, check.plan.runs) + "\n\n" + table.text() +
+           "\nThe same program against itself: a difference in " + std::to_string(check.false_alarms()) + " of " +
+           std::to_string(check.same.size()) + " tries. A slowdown of " + percent + (is_found ? " was found" : " was NOT found") + ".\n" +
            (check.is_passed() ? "The laboratory can be trusted here.\n"
                               : "The laboratory can't be trusted here now: is the machine busy?\n");
 }

@@ -11,23 +11,20 @@ namespace carom::lab
 namespace
 {
 
-constexpr QualityTraits traits_with(bool rests, bool stands, bool keeps_energy, bool keeps_momentum, bool is_closed)
-{
-    return {.rests = rests, .stands = stands, .keeps_energy = keeps_energy, .keeps_momentum = keeps_momentum, .is_closed = is_closed};
-}
-
-constexpr QualityTraits settles = traits_with(true, false, false, false, true);
-constexpr QualityTraits stands = traits_with(true, true, false, false, false);
-constexpr QualityTraits stirs = traits_with(false, false, false, false, true);
-constexpr QualityTraits bounces = traits_with(false, false, true, false, true);
-constexpr QualityTraits floats = traits_with(false, false, false, true, false);
+constexpr QualityTraits settles = {.rests = true, .is_closed = true};
+constexpr QualityTraits stands = {.rests = true, .stands = true};
+constexpr QualityTraits stirs = {.is_closed = true};
+constexpr QualityTraits bounces = {.keeps_energy = true, .is_closed = true};
+constexpr QualityTraits floats = {.keeps_momentum = true};
+constexpr QualityTraits shoots = {.has_shots = true};
 
 /// What should hold in a scene, by its name or by that without the size; nothing in those that are not here.
 QualityTraits traits_of_scene(const std::string& name)
 {
     static const std::map<std::string, QualityTraits> traits = {
-        {"large_pyramid", stands}, {"many_pyramids", stands}, {"stack_20", stands}, {"spinner", stirs}, {"tumbler", stirs},
-        {"washer", stirs},         {"mixed", settles},        {"origin", bounces},  {"orbits", floats}, {"compounds", stirs},
+        {"large_pyramid", stands}, {"many_pyramids", stands}, {"stack_20", stands}, {"spinner", stirs},
+        {"tumbler", stirs},        {"washer", stirs},         {"mixed", settles},   {"origin", bounces},
+        {"orbits", floats},        {"compounds", stirs},      {"shots", shoots},
     };
     const auto exact = traits.find(name);
     if (exact != traits.end()) return exact->second;
@@ -37,9 +34,7 @@ QualityTraits traits_of_scene(const std::string& name)
 
 SuiteScene measured(const FieldScene& scene, int size, int steps)
 {
-    SuiteScene one{.name = scene.name, .scene = &scene, .size = size, .steps = steps, .traits = traits_of_scene(scene.name)};
-    if (scene.name == "shots") one.samples = steps; // what went through a wall is seen step by step
-    return one;
+    return {.name = scene.name, .scene = &scene, .size = size, .steps = steps, .traits = traits_of_scene(scene.name)};
 }
 
 Suite suite_of_field(const std::string& name, const std::string& what)

@@ -18,9 +18,10 @@ struct SuiteScene
     int size = 1;
     int steps = 1;
     QualityTraits traits = {};
-    int samples = 10; ///< moments of a run at which engines tell where the bodies are
 
     SceneFile make() const;
+    /// Moments of a run at which engines tell where the bodies are.
+    int samples() const { return traits.has_shots ? steps : 10; }
 };
 
 struct Suite

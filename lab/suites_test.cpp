@@ -44,7 +44,8 @@ TEST(Suites, can_be_cut_down_to_some_scenes)
 TEST(Suites, see_shots_step_by_step)
 {
     const SuiteScene shots = find_suite("ordinary").with_scenes({"shots"}).scenes.front();
-    EXPECT_EQ(shots.samples, shots.steps);
+    EXPECT_EQ(shots.samples(), shots.steps);
+    EXPECT_LT(find_suite("ordinary").with_scenes({"stack_20"}).scenes.front().samples(), 20);
 }
 
 TEST(Suites, the_quick_scenes_can_be_made)

@@ -33,8 +33,8 @@ struct ShapeRecord
     Material material;
     Filter filter;
     std::uint64_t user_data = 0;
-    std::uint64_t placed_at =
-        never; ///< the number of steps when an edit last made it meet others: put it there, moved it, changed its filter
+    /// The number of steps when an edit last made it meet others: put it there, moved it, changed its filter.
+    std::uint64_t placed_at = never;
 };
 
 /// Where a shape is, by slot. The fat bounds are what the broad phase sees: they change only when the tight ones leave them.
