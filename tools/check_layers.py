@@ -23,14 +23,17 @@ ENGINE = {
 # Folders outside the engine: which top folders their includes may name. "include" stands for <carom/...>.
 PROGRAMS = {
     "include": ["include"],
+    "files": ["files"],
     "scenes": ["include", "scenes"],
-    "lab": ["include", "scenes", "lab"],
-    "cli": ["include", "scenes", "lab", "cli"],
-    "gallery": ["include", "scenes", "lab", "gallery"],
-    "tests": ["include", "src", "scenes", "lab", "cli", "gallery", "tests"],
+    "lab": ["include", "files", "scenes", "lab"],
+    "cli": ["include", "files", "scenes", "lab", "cli"],
+    "gallery": ["include", "files", "scenes", "lab", "gallery"],
+    "tests": ["include", "src", "files", "scenes", "lab", "cli", "gallery", "tests"],
 }
 # These may use no other library than the standard one, and the compilers' headers for SIMD.
-STANDARD_ONLY = {"include", "src", "scenes"}
+STANDARD_ONLY = {"include", "src", "scenes", "files"}
+# This one deals with the operating system: POSIX too.
+POSIX_TOO = {"files"}
 # But for one file a library, which is built only when that library is asked for.
 ADAPTERS = {"src/profile/backend_tracy.cpp": "tracy/"}
 SIMD_HEADERS = {"emmintrin.h", "immintrin.h", "arm_neon.h", "wasm_simd128.h"}
@@ -68,6 +71,8 @@ def broken_rule(source, is_angled, name, target):
         if not is_angled:
             return f'no file "{name}" in this project; a library\'s header goes in <>'
         is_standard = re.fullmatch(r"[a-z_0-9]+", name) or name in SIMD_HEADERS
+        if top in POSIX_TOO and re.fullmatch(r"(sys/)?[a-z_0-9]+\.h", name):
+            return None
         if name.startswith(ADAPTERS.get(source.as_posix(), "/")):
             return None
         if top in STANDARD_ONLY and not is_standard and not is_test:

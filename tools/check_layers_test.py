@@ -59,6 +59,13 @@ class CheckLayersTest(unittest.TestCase):
         found = self.complaints({"lab/a.hpp": "", "scenes/b.cpp": '#include "lab/a.hpp"\n'})
         self.assertIn("scenes/b.cpp:1: ", found[0])
 
+    def test_files_stand_below_the_programs_and_beside_the_engine(self):
+        self.assertEqual([], self.complaints({"files/a.hpp": "", **{f"{user}/b.cpp": '#include "files/a.hpp"\n' for user in ("lab", "cli", "gallery")}}))
+        for user in ("src/world", "scenes"):
+            with self.subTest(user):
+                self.assertIn(f"{user}/b.cpp:1: ", self.complaints({"files/a.hpp": "", f"{user}/b.cpp": '#include "files/a.hpp"\n'})[0])
+        self.assertEqual(1, len(self.complaints({"scenes/a.hpp": "", "files/b.cpp": '#include "scenes/a.hpp"\n'})))
+
     def test_engine_uses_no_library(self):
         found = self.complaints({"src/world/a.cpp": "#include <boost/math.hpp>\n"})
         self.assertIn("src/world/a.cpp:1: ", found[0])
