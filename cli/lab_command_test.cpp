@@ -1,4 +1,4 @@
-#include "cli/program.hpp"
+#include "cli/run_carom_test.hpp"
 #include "lab/engine_run.hpp"
 #include "lab/results.hpp"
 
@@ -14,21 +14,6 @@ namespace carom::cli
 
 namespace
 {
-
-struct Outcome
-{
-    int status = 0;
-    std::string out;
-    std::string err;
-};
-
-Outcome carom(const std::vector<std::string>& arguments)
-{
-    std::ostringstream out;
-    std::ostringstream err;
-    const int status = run_program(arguments, {.out = out, .err = err});
-    return {status, out.str(), err.str()};
-}
 
 class LabCommandTest : public testing::Test
 {

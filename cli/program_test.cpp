@@ -1,5 +1,5 @@
 // The command line as a person uses it, without starting a process.
-#include "cli/program.hpp"
+#include "cli/run_carom_test.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "scenes/registry.hpp"
 
@@ -20,21 +20,6 @@ using nlohmann::json;
 
 namespace
 {
-
-struct Outcome
-{
-    int status;
-    std::string out;
-    std::string err;
-};
-
-Outcome carom(const std::vector<std::string>& arguments, bool is_terminal = false)
-{
-    std::ostringstream out;
-    std::ostringstream err;
-    const int status = run_program(arguments, {out, err, is_terminal});
-    return {status, out.str(), err.str()};
-}
 
 /// An empty folder that goes away with the test.
 class Program : public testing::Test

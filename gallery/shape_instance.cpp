@@ -13,8 +13,6 @@ namespace
 
 using scenes::Color;
 
-constexpr float reference_height = 720; // widths of a draw list are in 1/720 of the picture's height
-
 /// Corners farther out than this are cut off [pixels]: float would place the edges near the picture's middle by whole pixels.
 constexpr float farthest_corner = 16384;
 

@@ -13,6 +13,9 @@
 namespace carom::gallery
 {
 
+/// Widths of lines and sizes of texts in a draw list are in 1/720 of the picture's height.
+inline constexpr float reference_height = 720;
+
 /// The points within `radius` of a convex polygon of 1 to 8 corners, filled and bordered; the layout is that of the shader's attributes.
 /// A disc has 1 corner, a capsule 2; lines have 2 and no radius. `power` is, of a disc, the power of the picture's middle,
 /// |corner|^2 - radius^2 [pixels^2], and of a line 1 when its ends are flat and 0 when they are round.

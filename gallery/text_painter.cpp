@@ -2,6 +2,7 @@
 #include "gallery/text_painter.hpp"
 
 #include "gallery/fonts.hpp"
+#include "gallery/shape_instance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,10 @@ using scenes::Color;
 using scenes::DrawnText;
 using scenes::Place;
 
-constexpr float reference_height = 720; // sizes of a draw list's texts are in 1/720 of the picture's height
-constexpr float smallest = 12;          // of a caption [points]
-constexpr float smallest_in_world = 9;  // of a text among the bodies, which must not run into the next one [points]
-constexpr float largest = 30;           // [points]
-constexpr float margin = 18;            // in 1/720 of the fitted picture's height
+constexpr float smallest = 12;         // of a caption [points]
+constexpr float smallest_in_world = 9; // of a text among the bodies, which must not run into the next one [points]
+constexpr float largest = 30;          // [points]
+constexpr float margin = 18;           // in 1/720 of the fitted picture's height
 
 ImU32 packed(Color c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a}); }
 

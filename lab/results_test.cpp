@@ -10,7 +10,7 @@ namespace carom::lab
 namespace
 {
 
-Results some_results()
+Results results_to_keep()
 {
     Results results;
     results.origin = origin_here();
@@ -41,7 +41,7 @@ Results some_results()
 
 TEST(Results, survive_a_file)
 {
-    const Results results = some_results();
+    const Results results = results_to_keep();
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("carom_results_test_" + std::to_string(getpid())) / "deep";
     write_results(results, folder);
@@ -59,7 +59,7 @@ TEST(Results, say_what_they_are_not)
     EXPECT_THROW(results_from_json("[]"), std::runtime_error);
     EXPECT_THROW(results_from_json(R"({"carom_results": 99})"), std::runtime_error);
     EXPECT_THROW(read_results("/nowhere"), std::runtime_error);
-    std::string text = to_json(some_results());
+    std::string text = to_json(results_to_keep());
     text.replace(text.find("can't"), 5, "won't");
     EXPECT_THROW(results_from_json(text), std::runtime_error);
 }

@@ -1,6 +1,7 @@
 // What a character can walk on, what stops it, and that it never enters anything.
 #include "geometry/distance.hpp"
 #include "geometry/random_shapes.hpp"
+#include "math/values_test.hpp"
 
 #include <carom/carom.hpp>
 
@@ -15,7 +16,6 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
 constexpr float foot = 0.8f; // from the default capsule's middle to its lowest point [m]
 
 /// A flat ground whose top is at height 0, and a player.

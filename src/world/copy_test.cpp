@@ -1,5 +1,7 @@
 // A copy goes on to the same bits, and a world can be taken back.
 
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// Joints, sleepers, sensors, fields, names, things that come and go.
 void fill(World& world)

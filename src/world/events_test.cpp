@@ -1,4 +1,6 @@
 // Which events a world tells, when, in which order, and with which ids.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -13,8 +15,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// A world without gravity: what touches, touches because it was put there.
 class EventsTest : public testing::Test

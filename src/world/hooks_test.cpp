@@ -1,4 +1,6 @@
 // Mixing rules, hooks, hits, and the impulses that events tell.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -14,9 +16,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Hooks that call functions.
 struct Hooks : ContactHooks

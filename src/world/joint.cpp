@@ -21,7 +21,8 @@ namespace
 
 JointId joint_id(const WorldState& world, std::uint32_t slot) { return {slot, world.joints.slots.generation(slot), world.world}; }
 
-BodyId body_id(const WorldState& world, std::uint32_t slot)
+/// Null for the world itself.
+BodyId joined_body(const WorldState& world, std::uint32_t slot)
 {
     if (slot == null_index) return {};
     return {slot, world.bodies.slots.generation(slot), world.world};
@@ -148,9 +149,9 @@ JointType JointView::type() const { return static_cast<JointType>(read(*world_, 
 
 const JointSpec& JointView::spec() const { return read(*world_, id_, "spec").spec; }
 
-BodyId JointView::body_a() const { return body_id(*world_, read(*world_, id_, "body_a").body_a); }
+BodyId JointView::body_a() const { return joined_body(*world_, read(*world_, id_, "body_a").body_a); }
 
-BodyId JointView::body_b() const { return body_id(*world_, read(*world_, id_, "body_b").body_b); }
+BodyId JointView::body_b() const { return joined_body(*world_, read(*world_, id_, "body_b").body_b); }
 
 Transform JointView::frame_a() const { return read(*world_, id_, "frame_a").frame_a; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "math/expect_refused_test.hpp"
+#include "math/values_test.hpp"
 
 #include <carom/carom.hpp>
 
@@ -13,10 +14,6 @@
 
 namespace carom::joint_tests
 {
-
-inline constexpr float dt = 1 / 60.0f;
-inline constexpr float inf = std::numeric_limits<float>::infinity();
-inline constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 inline const std::vector<JointSpec> all_specs = {RevoluteJoint{}, PrismaticJoint{}, DistanceJoint{}, WeldJoint{},  WheelJoint{},
                                                  MotorJoint{},    MouseJoint{},     GearJoint{},     PulleyJoint{}};

@@ -1,5 +1,7 @@
 // Bodies that the user puts to sleep before they have touched anything: they sleep on until something that is awake touches them, and then
 // they wake as an island does that fell asleep by itself.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -13,8 +15,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 class MadeAsleepTest : public testing::Test
 {

@@ -1,5 +1,7 @@
 // Where a world's bytes come from, that they all return, and that a warm step asks for none.
 
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -16,8 +18,6 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
-
 /// While it lives, whoever asks the default resource for memory gets std::bad_alloc.
 class NoDefaultResource
 {
@@ -31,7 +31,7 @@ private:
     std::pmr::memory_resource* before_;
 };
 
-void fill(World& world)
+void fill_each_store(World& world)
 {
     world.create_body({.type = BodyType::Static, .position = {0, -1}, .name = "a name that is too long for a short string"}, box(60, 2));
     world.create_body({.type = BodyType::Static, .position = {0, 2}}, box(5, 4), {.is_sensor = true, .persist_events = true});
@@ -62,7 +62,7 @@ TEST_P(MemoryTest, EveryByteComesFromTheResourceAndReturnsToIt)
     {
         const NoDefaultResource guard;
         World world({.broad_phase = GetParam(), .capacity = {.bodies = 10, .shapes = 10, .contacts = 10}, .memory = &memory});
-        fill(world);
+        fill_each_store(world);
         for (int i = 0; i < 60; ++i)
         {
             const StepReport report = world.step(dt);
@@ -82,7 +82,7 @@ TEST_P(WarmMemoryTest, AWarmPileAllocatesNothing)
 {
     HeapResource memory;
     World world({.broad_phase = GetParam(), .memory = &memory});
-    fill(world);
+    fill_each_store(world);
     for (int i = 0; i < 400; ++i) world.step(dt);
     const std::size_t before = memory.stats().allocations;
     for (int i = 0; i < 300; ++i) EXPECT_EQ(world.step(dt).allocations, 0u) << i;
@@ -93,7 +93,7 @@ TEST_P(WarmMemoryTest, AConstantPopulationHardlyEverAllocates)
 {
     HeapResource memory;
     World world({.broad_phase = GetParam(), .memory = &memory});
-    fill(world);
+    fill_each_store(world);
     std::size_t late = 0;
     for (int i = 0; i < 1800; ++i)
     {

@@ -1,4 +1,6 @@
 // A body whose state is lost is put back, disabled and reported; the others go on.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 class QuarantineTest : public testing::Test
 {

@@ -1,4 +1,6 @@
 // Queries of a world: against closed forms, and what they refuse.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -13,9 +15,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 template <class Call>
 void expect_refused(const char* function, const char* field, Call&& call)

@@ -1,4 +1,6 @@
 // Who sleeps, who wakes, and what sleepers cost.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 class SleepTest : public testing::Test
 {

@@ -1,4 +1,6 @@
 // What a probe sees in the middle of a step, and that it disturbs nothing.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -14,8 +16,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// Everything that a view shows.
 struct Shown : DebugDraw

@@ -1,4 +1,6 @@
 // Every getter and setter of bodies and shapes.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 template <class Call>
 void expect_refused(const char* field, Call&& call)

@@ -1,4 +1,6 @@
 // Bodies that collide, slide, roll and bounce, against closed forms.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,7 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
-constexpr float g = 9.81f;
+constexpr float standard_g = 9.81f; // [m/s^2]
 
 double kinetic_energy(const BodyView& body)
 {
@@ -176,16 +177,16 @@ TEST(Friction, a_sliding_box_follows_coulombs_law)
     for (int i = 0; i < 30; ++i) world.step(dt); // comes to rest
     const float x0 = world.body(id).position().x;
     world.body(id).set_linear_velocity({v0, 0});
-    const float stop_time = v0 / (mu * g);
+    const float stop_time = v0 / (mu * standard_g);
     for (int i = 1; i <= 150; ++i)
     {
         world.step(dt);
         const float t = std::min(static_cast<float>(i) * dt, stop_time);
         const float way = world.body(id).position().x - x0;
-        const float parabola = v0 * t - 0.5f * mu * g * t * t;
+        const float parabola = v0 * t - 0.5f * mu * standard_g * t * t;
         EXPECT_NEAR(way, parabola, 0.01) << i;
-        EXPECT_NEAR(way, parabola - 0.5f * mu * g * t * dt / 4, 0.001) << i;
-        EXPECT_NEAR(world.body(id).linear_velocity().x, v0 - mu * g * t, 0.02) << i;
+        EXPECT_NEAR(way, parabola - 0.5f * mu * standard_g * t * dt / 4, 0.001) << i;
+        EXPECT_NEAR(world.body(id).linear_velocity().x, v0 - mu * standard_g * t, 0.02) << i;
     }
 }
 
@@ -207,7 +208,7 @@ TEST(Friction, a_box_holds_on_a_slope_below_the_friction_angle_and_slides_above)
             EXPECT_NEAR(slid, 0, 0.005);
         else
         {
-            const double acceleration = double{g} * (std::sin(double{angle}) - mu * std::cos(double{angle}));
+            const double acceleration = double{standard_g} * (std::sin(double{angle}) - mu * std::cos(double{angle}));
             EXPECT_NEAR(slid, 0.5 * acceleration * 4, 0.02);
         }
     }
@@ -270,10 +271,10 @@ TEST(Friction, rolling_resistance_stops_a_rolling_disc)
     def.material.rolling_resistance = c;
     const BodyId id = world.create_body({.position = {-20, r}, .linear_velocity = {v0, 0}, .angular_velocity = -v0 / r}, circle(r), def);
     for (int i = 0; i < 120; ++i) world.step(dt);
-    EXPECT_NEAR(world.body(id).linear_velocity().x, v0 - 2 / 3.0f * c * g * 2, 0.05);
+    EXPECT_NEAR(world.body(id).linear_velocity().x, v0 - 2 / 3.0f * c * standard_g * 2, 0.05);
     for (int i = 0; i < 600; ++i) world.step(dt);
     EXPECT_NEAR(world.body(id).linear_velocity().x, 0, 1e-3);
-    EXPECT_NEAR(world.body(id).position().x, -20 + v0 * v0 / (2 * 2 / 3.0f * c * g), 0.3);
+    EXPECT_NEAR(world.body(id).position().x, -20 + v0 * v0 / (2 * 2 / 3.0f * c * standard_g), 0.3);
 }
 
 /// A conveyor: a box on a surface of tangent speed s ends up moving with it, to the right of the outward normal when s > 0.
@@ -319,7 +320,7 @@ TEST(Contact, the_ground_carries_the_weight)
     ASSERT_EQ(manifold.point_count, 2);
     EXPECT_NEAR(manifold.normal.y, 1, 1e-5);
     const float total = manifold.points[0].normal_impulse + manifold.points[1].normal_impulse;
-    EXPECT_NEAR(total, world.body(id).mass_data().mass * g * dt, 0.01f * total);
+    EXPECT_NEAR(total, world.body(id).mass_data().mass * standard_g * dt, 0.01f * total);
 }
 
 } // namespace carom

@@ -1,4 +1,6 @@
 // Nothing passes through anything, however fast.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 float between(std::mt19937& engine, float low, float high)
 {

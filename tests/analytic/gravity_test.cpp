@@ -1,4 +1,6 @@
 // Orbits and the sum of many pulls.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// Uniform numbers in [0, 1), the same everywhere.
 class Random

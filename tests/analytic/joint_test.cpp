@@ -1,4 +1,6 @@
 // Joints against what mechanics says of them: pendulums keep their energy, ropes carry their loads, gears and pulleys keep their ratios.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +17,6 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
 constexpr double g = 9.81;
 
 double square(double x) { return x * x; }

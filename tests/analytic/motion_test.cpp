@@ -1,4 +1,6 @@
 // Bodies that touch nothing, against the closed forms of their motion.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -10,8 +12,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// Velocity and place after n substeps h of semi-implicit Euler at constant acceleration a: v = a n h, x = a h^2 n (n + 1) / 2.
 double stepped_distance(double a, double h, int n) { return a * h * h * n * (n + 1) / 2; }

@@ -1,4 +1,6 @@
 // Sleepers cost next to nothing.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 double median_step_seconds(World& world, int steps)
 {

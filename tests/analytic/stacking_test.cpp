@@ -1,4 +1,6 @@
 // Piles that have to stand.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 World world_with_ground()
 {

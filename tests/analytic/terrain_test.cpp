@@ -1,4 +1,6 @@
 // Ground that is made of many shapes has to feel like ground that is made of one.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +17,6 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
 constexpr int tiles = 200;
 
 /// Makes a floor of 200 m from x = 0, its top at y = 0.

@@ -1,4 +1,5 @@
 // What a world takes from the heap, counted by the program's own operator new: nothing once it is warm, and nothing that it keeps.
+#include "math/values_test.hpp"
 #include "scenes/helpers.hpp"
 #include "scenes/registry.hpp"
 #include "tests/memory/counting_heap.hpp"
@@ -21,7 +22,6 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
 constexpr int warm_up = 200;
 constexpr int measured = 1000;
 

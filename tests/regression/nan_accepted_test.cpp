@@ -1,5 +1,6 @@
 // Calls that only read took NaN and answered as if nothing were wrong: with NaN, with false, or with half a box.
 #include "math/expect_refused_test.hpp"
+#include "math/values_test.hpp"
 
 #include <carom/carom.hpp>
 
@@ -11,14 +12,6 @@
 
 namespace carom
 {
-
-namespace
-{
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
-
-} // namespace
 
 TEST(NanAccepted, by_views)
 {
