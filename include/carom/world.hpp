@@ -91,8 +91,12 @@ public:
     BodyId create_body(const BodyDef& def);
     /// A body with one shape.
     BodyId create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape = {});
+    struct Defaults;
+
     void destroy_body(BodyId id); ///< and its shapes
     ShapeId create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
+    /// `World({})` is `World()`. Without this constructor it would be ambiguous with moving from an empty world.
+    explicit World(Defaults*) : World(WorldDef{}) {}
     void destroy_shape(ShapeId id); ///< not a chain's segment: those go all together
     ChainId create_chain(BodyId body, const ChainDef& def);
     void destroy_chain(ChainId id); ///< and its segments

@@ -26,6 +26,24 @@ void drop_boxes(World& world, int count)
 
 } // namespace
 
+/// With gcc, World({}) is ambiguous unless a constructor is a better match than moving from an empty world.
+TEST(World, can_be_made_in_every_way_of_writing_no_definition)
+{
+    World plain;
+    World braces{};
+    World empty_definition({});
+    World given({.gravity = {}});
+    World nested({.gravity = {0, -1}, .sleep = {.is_enabled = false}});
+    World from_definition(WorldDef{});
+    World assigned = World({});
+    assigned = World({.continuous = false});
+    for (const World* world : {&plain, &braces, &empty_definition, &from_definition}) EXPECT_EQ(world->gravity(), WorldDef{}.gravity);
+    EXPECT_EQ(given.gravity(), Vec2{});
+    EXPECT_EQ(nested.gravity(), (Vec2{0, -1}));
+    EXPECT_FALSE(nested.sleep_tuning().is_enabled);
+    EXPECT_FALSE(assigned.is_continuous());
+}
+
 TEST(World, FindsWhatLivesAndNothingElse)
 {
     World world;
