@@ -124,6 +124,8 @@ ordered_json run_json(const scenes::Scene& scene, const lab::RunResult& result)
     json["contacts"] = result.last.contacts;
     for (const NamedCount& event : named_counts(result.events)) json["events"][event.name] = event.count;
     json["quarantined"] = result.quarantined;
+    json["contact_hertz"] = result.last.contact_hertz;
+    json["too_long_steps"] = result.too_long_steps;
     json["step_ms"] = {
         {"mean", result.step_ms.mean}, {"median", result.step_ms.median}, {"p99", result.step_ms.p99}, {"max", result.step_ms.max}};
     for (std::size_t i = 0; i < stage_count; ++i) json["stage_ms"][std::string(name_of(static_cast<Stage>(i)))] = result.stage_ms[i];
@@ -156,6 +158,9 @@ std::string run_table(const scenes::Scene& scene, const lab::RunResult& result)
     text += formatted("\nat the end\n  %-22s %12d\n  %-22s %12d\n", "bodies", result.last.bodies, "shapes", result.last.shapes);
     text += formatted("  %-22s %12d\n  %-22s %12d\n", "pairs", result.last.pairs, "contacts", result.last.contacts);
     if (result.quarantined > 0) text += formatted("  %-22s %12llu\n", "quarantined", static_cast<unsigned long long>(result.quarantined));
+    if (result.too_long_steps > 0)
+        text += formatted("  %-22s %12d  contacts are softer than tuned: piles may sink; raise substeps or step_rate\n", "too long steps",
+                          result.too_long_steps);
     text += event_lines(result.events);
     text += formatted("\n%-24s %12s %12s %12s %12s\n", "time of a step", "mean ms", "median", "p99", "max");
     text += formatted("  %-22s %12.4f %12.4f %12.4f %12.4f\n", "step", step.mean, step.median, step.p99, step.max);

@@ -66,6 +66,7 @@ void counters(const StepReport& report)
         number_cell("%.0f", value);
     }
     ImGui::EndTable();
+    if (report.is_too_long) ImGui::TextWrapped("Substeps are too long for the contacts' stiffness: piles may sink. Raise substeps.");
 }
 
 void frame_table(const FrameMeter& frames)

@@ -56,6 +56,7 @@ RunResult run(scenes::Scene& scene, const RunOptions& options)
         for (std::size_t i = 0; i < stage_count; ++i) result.stage_ms[i] += ms * result.last.stage_seconds[i] / options.steps;
         if (step >= options.steps / 2) late_allocations += counter.last_step;
         result.quarantined += result.last.quarantined.size();
+        result.too_long_steps += result.last.is_too_long;
         add(result.events, scene.world().events());
         if (options.after_step) options.after_step(scene, step);
     }

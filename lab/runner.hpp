@@ -43,6 +43,7 @@ struct RunResult
     std::array<double, stage_count> stage_ms = {}; ///< mean of each stage [ms]
     StepReport last;                               ///< of the last step; its list of quarantined bodies is empty
     std::uint64_t quarantined = 0;                 ///< bodies that were put aside in the whole run
+    int too_long_steps = 0;                        ///< steps that warned of too long substeps
     EventCounts events;                            ///< in the whole run
     std::uint64_t hash = 0;                        ///< of the world at the end
     /// Mean over the second half of the run, when the world no longer grows; 0 when nobody counts.

@@ -91,4 +91,11 @@ struct StepReport
     std::span<const BodyId> quarantined;
 };
 
+    /// Stiffness of contacts in this step: WorldDef::solver.contact_hertz, or an eighth of the substep rate if that is less [1/s]; 0
+    /// in a step that takes no time.
+    float contact_hertz = 0;
+    /// A warning: substeps are so long that contacts have less than half of the stiffness that SolverTuning asks for, so that piles
+    /// sink and tip over. With the defaults: fewer than 120 substeps a second. Give World::step more substeps, or step more often.
+    bool is_too_long = false;
+
 } // namespace carom

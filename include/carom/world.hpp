@@ -153,6 +153,12 @@ public:
     /// are those on `b`.
     Manifold manifold(ShapeId a, ShapeId b) const;
 
+    ///
+    /// How long a step may be: contacts are springs, as stiff as SolverTuning::contact_hertz asks, but at most an eighth of the
+    /// substep rate, `substeps` / `dt`. Softer piles sink and tip over. With the defaults and boxes of one size, a tower of 5 stands
+    /// from 60 substeps a second on, of 10 from 160, of 20 from 240. Whether they come from more steps or from more substeps hardly
+    /// matters: 0.1 s needs 16 substeps for a tower of 10. StepReport::is_too_long warns.
+    ///
     // Queries. All see the bodies where they are now, whatever was edited since the last step. Their results depend neither on the broad phase nor
     // on the order in which it looks; what is equally near is ordered by the shape's index. Several threads may query one world at once as long as
     // nobody changes or steps it. During a step they throw UsageError, and so they do on a point or a shape that is not finite or beyond

@@ -83,8 +83,14 @@ inline constexpr float settled_within = 0.00025f;
 /// @param h_before substep of the last step [s]; 0 when there was none
 inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before)
 {
-    // A spring is integrated well up to an eighth of the substep rate; stiffer ones ring.
-    const float hertz = std::min(tuning.contact_hertz, 0.125f / h);
+    const float hertz = contact_stiffness(tuning, h);
+/// A spring is integrated well up to an eighth of the substep rate; stiffer ones ring [1/s].
+inline float contact_stiffness(const SolverTuning& tuning, float h) { return std::min(tuning.contact_hertz, 0.125f / h); }
+
+/// Whether contacts get less than half of the stiffness that they were tuned for, a little less so that no rounding shows: piles of
+/// ten boxes then begin to tip over. Tests: step_length_test.
+inline bool is_too_soft(const SolverTuning& tuning, float h) { return contact_stiffness(tuning, h) < 0.499f * tuning.contact_hertz; }
+
     return {.dt = dt,
             .h = h,
             .inv_h = 1 / h,

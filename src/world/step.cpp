@@ -119,7 +119,7 @@ void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, S
     });
 }
 
-void count(const WorldState& world, const ColorLists& contacts, std::size_t allocations_before, StepReport& report)
+void count(const WorldState& world, const ColorLists& contacts, float dt, std::size_t allocations_before, StepReport& report)
 {
     report.bodies = world.bodies.slots.live_count();
     report.shapes = world.shapes.slots.live_count();
@@ -140,6 +140,11 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     world.arena.reset();
     world.quarantined.clear();
     world.events.clear();
+    if (dt > 0)
+    {
+        report.contact_hertz = contact_stiffness(world.tuning, world.last_substep);
+        report.is_too_long = is_too_soft(world.tuning, world.last_substep);
+    }
     ContactSolver<float> solver(world.arena);
     ContinuousCollision continuous(world.arena);
     StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
@@ -165,7 +170,7 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
 
     assert(first_fault(world).empty());
     ++world.step_count;
-    count(world, colors, allocations_before, report);
+    count(world, colors, dt, allocations_before, report);
 }
 
 } // namespace
