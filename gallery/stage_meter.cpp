@@ -20,6 +20,7 @@ void StageMeter::add(const StepReport& report, BroadPhaseType broad_phase)
 {
     latest_ = report;
     latest_.quarantined = {}; // it lies in the world
+    latest_.quarantine_reasons = {};
     step_ms_.add(ms * report.seconds);
     for (std::size_t i = 0; i < stage_count; ++i) stage_history_[i].add(ms * report.stage_seconds[i]);
     bytes_.add(static_cast<double>(report.memory.total.bytes));

@@ -62,6 +62,7 @@ RunResult run(scenes::Scene& scene, const RunOptions& options)
     }
 
     result.last.quarantined = {};
+    result.last.quarantine_reasons = {};
     result.step_ms = summarize(step_ms);
     result.hash = scene.world().hash();
     result.heap_allocations_per_step = static_cast<double>(late_allocations) / (options.steps - options.steps / 2);

@@ -65,6 +65,16 @@ struct MemoryReport
     const MemoryStats& of(MemoryCategory category) const { return categories[static_cast<std::size_t>(category)]; }
 };
 
+/// Why a step put a body aside.
+enum class QuarantineReason
+{
+    NotFinite, ///< its place or velocity became NaN, infinite or larger than 1e15
+    LeftWorld  ///< its origin or its centre of mass went beyond max_coordinate
+};
+
+/// "not finite", "left the world"
+std::string_view name_of(QuarantineReason reason);
+
 /// What World::step did.
 struct StepReport
 {
@@ -86,8 +96,8 @@ struct StepReport
     MemoryReport memory;         ///< after the step
     std::size_t allocations = 0; ///< requests to the world's memory resource during this step
 
-    /// Bodies whose state became infinite, NaN or larger than 1e15 in this step: each is back at its last good place, at rest and disabled.
-    /// Valid until the world's next step.
+    /// Bodies that this step put aside: each is back at the place where it was before the step, at rest and disabled. Valid until
+    /// the world's next step.
     std::span<const BodyId> quarantined;
 };
 
@@ -96,6 +106,8 @@ struct StepReport
     float contact_hertz = 0;
     /// A warning: substeps are so long that contacts have less than half of the stiffness that SolverTuning asks for, so that piles
     /// sink and tip over. With the defaults: fewer than 120 substeps a second. Give World::step more substeps, or step more often.
+    /// Why, for each body of `quarantined`. Valid as long.
+    std::span<const QuarantineReason> quarantine_reasons;
     bool is_too_long = false;
 
 } // namespace carom

@@ -39,13 +39,23 @@ struct SolverTuning
     friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
 };
 
-/// When bodies that have come to rest leave the simulation. Those that touch or are joined sleep and wake together. A sleeper costs nothing, and is seen by
-/// sensors and queries. Contact, a joint, a force, a change or a teleport wakes it. Where an N-body field pulls, nobody sleeps.
+/// When bodies at rest leave the simulation. Bodies that touch or are joined sleep and wake together. A sleeping body costs
+/// nothing; sensors and queries see it. A contact, a joint, a force, a change or a teleport wakes it. No body sleeps while an
+/// N-body field exists.
+///
+/// A body is at rest while no point of it is faster than `speed`, and as long as no point of it has drifted by more than a tenth of
+/// the body's outer radius since it became that slow; then the time counts anew. The outer radius reaches from the centre of mass to
+/// the farthest point of a shape. So a body that falls asleep has drifted by at most `speed` times `time`, 2.5 cm with the defaults,
+/// and by at most a tenth of its outer radius.
+///
+/// A drive that moves its bodies keeps them awake, however slowly: a surface with a tangent_speed, a joint's motor, a MotorJoint
+/// or MouseJoint on the way to its target, a kinematic body with a velocity. A drive that is blocked (it reaches less than a
+/// hundredth of the speed that it asks for) does not.
 struct SleepTuning
 {
     bool is_enabled = true;
-    float speed = 0.05f; ///< of no point of the body may be faster [m/s], >= 0
-    float time = 0.5f;   ///< for so long [s], >= 0
+    float speed = 0.05f; ///< a body that is faster is not at rest [m/s], >= 0
+    float time = 0.5f;   ///< how long a body must be at rest before it falls asleep [s], >= 0
 
     friend bool operator==(const SleepTuning&, const SleepTuning&) = default;
 };

@@ -192,12 +192,30 @@ void BodyStore::push(std::uint32_t slot, Vec2 impulse, float angular_impulse)
     motion.v += {mass.inv_mass.x * impulse.x, mass.inv_mass.y * impulse.y};
     motion.w += mass.inv_inertia * angular_impulse;
 }
+    forget_plans(slot);
 
 void BodyStore::set_transform(std::uint32_t slot, const Transform& transform)
 {
     poses[slot].transform = transform;
     poses[slot].center = transform * poses[slot].local_center;
 }
+    forget_plans(slot);
+}
+
+void BodyStore::forget_plans(std::uint32_t slot)
+{
+    if (!is_active(slot)) return; // it has no watch
+    BodyWatch& watch = watches[motion_index[slot]];
+    watch.has_goal = false;
+    watch.set_back = {};
+}
+
+void BodyStore::set_goal(std::uint32_t slot, const Transform& goal, float dt)
+{
+    if (!is_active(slot)) return;
+    records[slot].goal = goal;
+    records[slot].goal_dt = dt;
+    watches[motion_index[slot]].has_goal = true;
 
 /// As finalize_bodies will do it.
 BodyPose BodyStore::pose_now(std::uint32_t slot) const
@@ -212,6 +230,7 @@ BodyPose BodyStore::pose_now(std::uint32_t slot) const
 }
 
 MassData combined(const MassData& a, const MassData& b)
+    forget_plans(slot);
 {
     const float mass = a.mass + b.mass;
     if (mass <= 0) return {};

@@ -49,13 +49,19 @@ struct BodyDrive
 /// What the end of a step looks at of an active body, by motion index.
 struct BodyWatch
 {
-    float rest_time = 0;               ///< how long it has been slow [s]
+    float rest_time = 0;               ///< how long it has been at rest [s]
+    Vec2 drift;                        ///< displacement of its centre since then [m]
+    float turn = 0;                    ///< how far it has turned since then [rad]
     std::uint32_t island = null_index; ///< of a dynamic body
     float inner_radius = 0;            ///< of its thinnest shape [m]
     float outer_radius = 0;            ///< from the centre of mass to the farthest point [m]
     bool can_sleep = true;
     bool has_woken = false; ///< since the last step
     bool is_bullet = false;
+    bool is_driven = false; ///< a belt, a motor or a drive moved it in this step: set by the solvers, read by finalize_bodies
+    bool has_goal = false;  ///< see BodyRecord::goal
+    /// Displacement that continuous collision took back in the last step: the velocity is that of the place ahead by as much [m].
+    Vec2 set_back;
 };
 
 /// Where a body is, by slot.
@@ -110,6 +116,8 @@ struct BodyRecord
     std::uint32_t joint_color_mask = 0;     ///< and by its joints
     std::uint64_t user_data = 0;
     std::uint64_t put_to_sleep_at = never; ///< the number of steps when the user last did so
+    Transform goal;                        ///< where Body::move_to leads it, while its watch says that it has a goal
+    float goal_dt = 0;                     ///< length of the step that ends there [s]
     std::pmr::string name;
 };
 
@@ -145,6 +153,8 @@ public:
     void set_transform(std::uint32_t slot, const Transform& transform);
     /// Whether forces and impulses act on the body: it is dynamic and enabled.
     bool is_pushable(std::uint32_t slot) const { return is_dynamic(slot) && is_active(slot); }
+    /// An active body has velocities that take it to a place within a step: finalize_bodies puts it there exactly.
+    void set_goal(std::uint32_t slot, const Transform& goal, float dt);
     /// Changes the velocity of a pushable body by an impulse [N s] and an angular impulse [N m s].
     void push(std::uint32_t slot, Vec2 impulse, float angular_impulse);
     /// Makes mass and centre follow the shapes' mass, the override and the type.
@@ -168,4 +178,5 @@ private:
     void deactivate(std::uint32_t slot);
 };
 
+    void forget_plans(std::uint32_t slot);
 } // namespace carom::detail

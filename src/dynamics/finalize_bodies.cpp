@@ -69,41 +69,79 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
     }
 }
 
+namespace
+{
+
+/// Where a motion takes a body.
+BodyPose pose_after(const BodyPose& pose, const BodyMotion& motion)
+{
+    const Vec2 center = pose.center + motion.dp;
+    const Rot q = normalize(motion.dq * pose.transform.q);
+    return {{center - rotate(q, pose.local_center), q}, center, pose.local_center};
+}
+
+/// A body that is led arrives where it was to arrive, whatever the substeps have rounded.
+BodyPose pose_at_goal(const BodyPose& pose, const BodyRecord& record, float dt)
+{
+    if (record.goal_dt != dt) return pose;
+    return {record.goal, record.goal * pose.local_center, pose.local_center};
+}
+
+bool is_sound(const BodyPose& pose, const BodyMotion& motion)
+{
+    return is_good(pose.center) && is_good(motion.v) && is_good(motion.w) && is_good(Vec2{pose.transform.q.c, pose.transform.q.s});
+}
+
+/// Whether the body is slow, and has hardly moved since it became so.
+bool is_at_rest(BodyWatch& watch, const BodyMotion& motion, const Sweep& sweep, float dt, float sleep_speed)
+{
+    const Vec2 displacement = sweep.center_end - sweep.center_start;
+    // A body that a joint is still pulling into place comes along without a velocity.
+    const float speed = std::max(length(motion.v), length(displacement) / dt);
+    if (speed + std::abs(motion.w) * watch.outer_radius > sleep_speed) return false;
+    if (watch.rest_time == 0) watch.drift = {}, watch.turn = 0;
+    watch.drift += displacement;
+    watch.turn += sweep.turn;
+    return length(watch.drift) + std::abs(watch.turn) * watch.outer_radius <= rest_drift(watch.outer_radius);
+}
+
+} // namespace
+
 void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
-                     std::pmr::vector<std::uint32_t>& not_finite, std::pmr::vector<FastBody>* fast)
+                     std::pmr::vector<LostBody>& lost, std::pmr::vector<FastBody>* fast)
 {
     if (fast) make_room(*fast, bodies.motions.size());
-    make_room(not_finite, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
+    make_room(lost, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
         BodyMotion& motion = bodies.motions[i];
         BodyPose& pose = bodies.poses[motion.slot];
-        const Vec2 center = pose.center + motion.dp;
-        const Rot q = normalize(motion.dq * pose.transform.q);
-        const Transform transform = {center - rotate(q, pose.local_center), q};
-        const Sweep sweep = {pose.local_center, pose.center, center, pose.transform.q, motion_turn(motion, dt)};
-        const float way = length(motion.dp);
+        BodyWatch& watch = bodies.watches[i];
+        const BodyRecord& record = bodies.records[motion.slot];
+        BodyPose next = pose_after(pose, motion);
+        if (watch.has_goal) next = pose_at_goal(next, record, dt);
+        const Sweep sweep = {pose.local_center, pose.center, next.center, pose.transform.q, motion_turn(motion, dt)};
         motion.dp = {};
         motion.dq = {};
         bodies.drives[i].force = {};
         bodies.drives[i].torque = 0;
+        watch.has_goal = false;
+        watch.set_back = {};
 
-        if (!is_good(center) || !is_good(motion.v) || !is_good(motion.w) || !is_good(Vec2{q.c, q.s}))
+        const bool has_values = is_sound(next, motion);
+        if (!has_values || !is_in_world(next.center) || !is_in_world(next.transform.p))
         {
             motion.v = {};
             motion.w = 0;
-            not_finite.push_back(motion.slot);
+            lost.push_back({motion.slot, has_values ? QuarantineReason::LeftWorld : QuarantineReason::NotFinite});
             continue;
         }
-        pose.center = center;
-        pose.transform = transform;
-        BodyWatch& watch = bodies.watches[i];
-        // A body that a joint is still pulling into place comes along without a velocity.
-        const float speed = std::max(length(motion.v), way / dt);
-        const bool is_slow = speed + std::abs(motion.w) * watch.outer_radius <= sleep_speed;
-        watch.rest_time = is_slow && watch.can_sleep ? watch.rest_time + dt : 0;
+        pose = next;
+        const bool rests = is_at_rest(watch, motion, sweep, dt, sleep_speed) && watch.can_sleep && !watch.is_driven;
+        watch.rest_time = rests ? watch.rest_time + dt : 0;
+        watch.is_driven = false;
         refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
-        if (!fast || !is_fast(sweep, watch, bodies.records[motion.slot].type)) continue;
+        if (!fast || !is_fast(sweep, watch, record.type)) continue;
         fast->push_back({motion.slot, sweep});
         widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase);
     }

@@ -7,7 +7,10 @@
 #include "geometry/manifold.hpp"
 #include "geometry/time_of_impact.hpp"
 
+#include <carom/report.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <memory_resource>
 #include <vector>
 
@@ -24,17 +27,36 @@ struct FastBody
 /// Fat bounds reach ahead along the velocity for this many steps: fewer searches for pairs, against more false pairs.
 inline constexpr float steps_ahead = 2;
 
+/// A body whose state the step has lost.
+struct LostBody
+{
+    std::uint32_t body;
+    QuarantineReason reason;
+};
+
+/// How far the farthest point of a body may drift while the body counts as at rest [m]: a tenth of its size, so that no body falls
+/// asleep while one sees it move, however small it is. A body without shapes has no size. Tests: sleep_drift_test.
+inline float rest_drift(float outer_radius)
+{
+    constexpr float share_of_size = 0.1f;
+    return outer_radius > 0 ? share_of_size * outer_radius : max_coordinate;
+}
+
+/// Whether calls accept the place.
+inline bool is_in_world(Vec2 place) { return std::abs(place.x) <= max_coordinate && std::abs(place.y) <= max_coordinate; }
+
 /// What moved by more than this may have passed through something [m]: half the radius of its thinnest part; a little is always allowed.
 inline float fast_way(float inner_radius) { return std::max(0.5f * inner_radius, linear_slop); }
 
-/// Moves poses by the way since the start of the step and clears it and the forces. Shapes that leave their fat bounds get new
-/// ones and are marked as moved. A body whose state is not finite, or is beyond 1e15, stays where it
+/// Moves poses by the displacement since the start of the step, and clears it and the forces. Shapes that leave their fat bounds
+/// get new ones and are marked as moved. A body whose state is not finite, is beyond 1e15, or that leaves the world stays where it
 /// was, at rest.
-/// @param sleep_speed slower bodies are at rest; how long they have been is kept in their BodyWatch [m/s]
-/// @param not_finite slots of such bodies, to be disabled; appended to
-/// @param fast       bodies that moved by more than half their size, and bullets; appended to, and their fat bounds hold their whole way; null: not asked
+/// @param sleep_speed bodies that are slower, and drift no farther than rest_drift, are at rest; BodyWatch keeps for how long [m/s]
+/// @param lost such bodies, to be disabled; appended to
+/// @param fast bodies that moved by more than half their size, and bullets; appended to, and their fat bounds hold the whole
+///             displacement; null: not asked
 void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
-                     std::pmr::vector<std::uint32_t>& not_finite, std::pmr::vector<FastBody>* fast);
+                     std::pmr::vector<LostBody>& lost, std::pmr::vector<FastBody>* fast);
 
 /// New bounds of all shapes of a body that was moved by hand; they are marked as moved when they leave the fat ones.
 void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way);

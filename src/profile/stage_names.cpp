@@ -1,4 +1,4 @@
-// The names of stages, also as zones, and of categories of memory, as people read them.
+// The names of stages, also as zones, of categories of memory and of reasons for quarantine, as people read them.
 #include "profile/stage_timer.hpp"
 
 namespace carom
@@ -51,6 +51,16 @@ std::string_view name_of(MemoryCategory category)
     case MemoryCategory::Solver: return "solver";
     case MemoryCategory::Events: return "events";
     case MemoryCategory::Scratch: return "scratch";
+    }
+    return "?";
+}
+
+std::string_view name_of(QuarantineReason reason)
+{
+    switch (reason)
+    {
+    case QuarantineReason::NotFinite: return "not finite";
+    case QuarantineReason::LeftWorld: return "left the world";
     }
     return "?";
 }

@@ -116,14 +116,17 @@ public:
         const bool may_bounce = fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
         rows_->back().may_bounce = rows_->back().may_bounce || may_bounce;
         any_bounces_ = any_bounces_ || may_bounce;
+        any_belts_ = any_belts_ || contacts.contacts[slot].tangent_speed != 0;
     }
     bool any_bounces() const { return any_bounces_; }
+    bool any_belts() const { return any_belts_; }
 
 private:
     std::pmr::vector<ContactRow<F, N>>* rows_;
     int lanes_;
     int next_;
     bool any_bounces_ = false;
+    bool any_belts_ = false;
 };
 
 template <class F>
@@ -142,6 +145,7 @@ void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lan
             pairs.write(slot, bodies, contacts, constants);
     }
     any_bounces_ = any_bounces_ || single.any_bounces() || pairs.any_bounces();
+    any_belts_ = any_belts_ || single.any_belts() || pairs.any_belts();
     range.end_single = single_.size();
     range.end_double = double_.size();
     ranges_.push_back(range);
@@ -176,7 +180,7 @@ void ContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, 
     ranges_.clear();
     make_room_for_rows(colors, contacts);
     row_count_ = 0;
-    any_bounces_ = false;
+    any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
     pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt)};
 
@@ -329,6 +333,27 @@ void ContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<Conta
             point.total_tangent = lane(from.total_t + pending * from.lambda_t, i);
             point.normal_velocity = lane(from.normal_velocity, i);
         }
+/// A belt is at work while what it carries moves along it, be it slower than the belt; under a body that is held fast it is not.
+template <class F>
+void ContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const
+{
+    if (!any_belts_) return;
+    for_each_contact([&](const auto& row, int i, std::uint32_t)
+    {
+        const float belt = lane(row.tangent_speed, i);
+        if (belt == 0) return;
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        for (const PointRow<F>& point : row.points)
+        {
+            const float vt = lane(dot(relative_velocity(point, a, b), right_perp(row.n)), i);
+            if (lane(point.total_n, i) <= 0 || !is_at_work(vt, belt)) continue;
+            for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
+                if (body != 0) watches[body].is_driven = true;
+        }
+    });
+}
+
     });
 }
 

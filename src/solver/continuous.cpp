@@ -411,7 +411,8 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
     {
         // At the ends of float a way has no middle: then the body stays where the step took it.
         const Transform end = mover.sweep.at(1);
-        const bool is_sound = is_finite(end.p) && is_finite(mover.sweep.center_end) && is_finite(Vec2{end.q.c, end.q.s});
+        // One that was carried may have come out of the world: then too.
+        const bool is_sound = is_in_world(end.p) && is_in_world(mover.sweep.center_end) && is_finite(Vec2{end.q.c, end.q.s});
         if (mover.version > 0 && is_sound)
         {
             BodyPose& pose = bodies.poses[mover.body];

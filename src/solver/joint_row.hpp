@@ -16,7 +16,9 @@
 #include "solver/body_lanes.hpp"
 #include "solver/softness.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace carom::detail
 {
@@ -320,6 +322,41 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
     solve_rigid<WithBias>(row, k, a, b);
     keep_velocity<F>(row.alone > F(0), a, a_before);
     keep_velocity<F>(row.alone > F(0), b, b_before);
+}
+
+/// How near a drive must come to its target to be done with [m], [rad].
+inline constexpr float drive_tolerance = 0.005f;
+
+/// Whether the spring of a drive is still on the way to its target in lane `i`. An overdamped spring goes there at omega / (2 zeta) of
+/// what is missing; one that hangs in balance with a load does not move.
+/// @param missing what is missing to the target [m] or [rad]
+/// @param speed   at which that becomes less [m/s] or [rad/s]
+template <class F>
+bool is_on_the_way(const SpringRow<F>& spring, int i, float missing, float speed)
+{
+    const float damping = lane(spring.damping, i);
+    return damping > 0 && missing > drive_tolerance && is_at_work(speed, missing * lane(spring.push, i) / damping);
+}
+
+/// Whether a motor, or the drive of a motor joint or a mouse joint, moves the bodies of lane `i`.
+template <class F>
+bool is_driven(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    const bool pulls = row.type == JointType::Motor || row.type == JointType::Mouse;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(row.control_count); ++c)
+    {
+        const ControlRow<F>& control = row.controls[c];
+        const float rate = lane(velocity(control.j, a, b), i);
+        if (lane(control.max_motor, i) > 0 && is_at_work(rate, lane(control.motor_speed, i))) return true;
+        const float past = lane(control.q - control.target, i);
+        if (pulls && lane(control.max_spring, i) > 0 && is_on_the_way(control.spring, i, std::abs(past), past > 0 ? -rate : rate))
+            return true;
+    }
+    if (!pulls || !(lane(row.drive.max_lambda, i) > 0)) return false;
+    const LaneVec<F> dv = (b.v + cross(b.w, row.r_b)) - (a.v + cross(a.w, reach_of_a(row, a)));
+    const float missing = lane(lane_sqrt(dot(row.drive.error, row.drive.error)), i);
+    const float speed = -lane(dot(dv, row.drive.error), i) / std::max(missing, drive_tolerance);
+    return is_on_the_way(row.drive.spring, i, missing, speed);
 }
 
 /// Adds what the substep gave to the sums over the step.

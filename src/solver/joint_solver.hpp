@@ -38,6 +38,8 @@ public:
     /// Linearises anew where the bodies have come to, and takes back what the bias pushed.
     void relax(std::span<BodyMotion> motions);
 
+    /// Notes the bodies that a motor turns or pushes, or that a drive pulls to its target.
+    void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const;
     /// @param inv_dt of the whole step [1/s]
     void store_impulses(std::span<const BodyMotion> motions, JointStore& joints, float inv_dt) const;
 

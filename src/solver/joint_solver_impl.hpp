@@ -314,6 +314,23 @@ void JointSolver<F>::store_impulses(std::span<const BodyMotion> motions, JointSt
 }
 
 template <class F>
+void JointSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const
+{
+    for (const JointRow<F>& row : rows_)
+    {
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const auto at = static_cast<std::size_t>(i);
+            if (row.joint[at] == null_index || !is_driven(row, i, a, b)) continue;
+            for (const std::uint32_t body : {row.pushed_a[at], row.pushed_b[at]})
+                if (body != 0) watches[body].is_driven = true;
+        }
+    }
+}
+
+template <class F>
 void JointSolver<F>::show(std::span<Vec2> forces, float inv_dt, bool is_within_substep) const
 {
     for (JointRow<F> row : rows_)

@@ -53,6 +53,13 @@ inline SpringRow<float> make_spring(float hertz, float damping_ratio, float h)
     return {.damping = s / (1 + s), .push = h * omega * omega / (1 + s), .impulse_scale = 1 / (1 + s)};
 }
 
+/// Whether a drive that asks for a speed moves anything: a blocked one does not keep its bodies awake. Both in the same unit.
+inline bool is_at_work(float speed, float asked)
+{
+    constexpr float least_share = 0.01f;
+    return asked != 0 && speed * asked >= least_share * asked * asked;
+}
+
 /// What the contact rows of a step share.
 struct ContactConstants
 {

@@ -44,6 +44,7 @@ void copy_state(WorldState& to, const WorldState& from)
     to.events.touching = from.events.touching;
     renumber(to.events, to.world);
     to.quarantined.clear();
+    to.quarantine_reasons.clear();
     detail::reserve_for_edits(to);
     detail::set_broad_phase(to, from.broad_phase->type(), from.broad_phase_options);
     to.is_broken = false;

@@ -77,6 +77,10 @@ void add_bodies(Hasher& hasher, const detail::BodyStore& bodies, std::uint64_t s
         hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force,
                        drive.torque);
         if (body.is_asleep && body.put_to_sleep_at == step_count) hasher.add(step_count); // whom it touches in the next step
+        const detail::BodyWatch& watch = bodies.watches[bodies.motion_index[slot]];
+        if (watch.rest_time > 0) hasher.add_all(watch.drift, watch.turn);
+        if (watch.set_back != Vec2{}) hasher.add(watch.set_back);
+        if (watch.has_goal) hasher.add_all(body.goal.p, body.goal.q, body.goal_dt);
     }
 }
 

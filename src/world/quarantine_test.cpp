@@ -98,6 +98,20 @@ TEST_F(QuarantineTest, EveryWayToGetLostIsSeen)
     EXPECT_TRUE(std::isfinite(world.body(victim).position().x));
 }
 
+TEST_F(QuarantineTest, the_report_says_why)
+{
+    lose(victim);
+    const BodyId runaway = world.create_body({.position = {max_coordinate - 1, 5}, .linear_velocity = {1000, 0}}, circle(1));
+    const StepReport report = world.step(dt);
+    ASSERT_EQ(report.quarantined.size(), 2u);
+    ASSERT_EQ(report.quarantine_reasons.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(report.quarantine_reasons[i],
+                  report.quarantined[i] == runaway ? QuarantineReason::LeftWorld : QuarantineReason::NotFinite);
+    EXPECT_TRUE(world.step(dt).quarantine_reasons.empty());
+    EXPECT_EQ(name_of(QuarantineReason::LeftWorld), "left the world");
+}
+
 TEST_F(QuarantineTest, SeveralAtOnceAreAllReported)
 {
     std::vector<BodyId> lost;

@@ -23,13 +23,13 @@ namespace carom::detail
 namespace
 {
 
-void disable(WorldState& world, std::span<const std::uint32_t> not_finite)
+void put_aside(WorldState& world, std::span<const LostBody> lost)
 {
-    world.quarantined.clear();
-    for (const std::uint32_t body : not_finite)
+    for (const auto& [body, reason] : lost)
     {
         set_body_enabled(world, body, false);
         world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
+        world.quarantine_reasons.push_back(reason);
     }
 }
 
@@ -105,13 +105,14 @@ void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt,
 /// From motions to poses.
 void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, StageRunner& run)
 {
+        contacts.mark_driven(bodies.motions, bodies.watches);
+        joints.mark_driven(bodies.motions, bodies.watches);
     std::pmr::vector<FastBody> fast(&world.arena);
     run(Stage::FinalizeBodies, [&]
     {
-        std::pmr::vector<std::uint32_t> not_finite(&world.arena);
-        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, not_finite,
-                        world.is_continuous ? &fast : nullptr);
-        disable(world, not_finite);
+        std::pmr::vector<LostBody> lost(&world.arena);
+        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, lost, world.is_continuous ? &fast : nullptr);
+        put_aside(world, lost);
     });
     run(Stage::Continuous, [&] {
         continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
@@ -145,6 +146,7 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
         report.contact_hertz = contact_stiffness(world.tuning, world.last_substep);
         report.is_too_long = is_too_soft(world.tuning, world.last_substep);
     }
+    report.quarantine_reasons = world.quarantine_reasons;
     ContactSolver<float> solver(world.arena);
     ContinuousCollision continuous(world.arena);
     StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
@@ -153,6 +155,7 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     {
         if (find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena))
             world.must_review = true;
+    world.quarantine_reasons.clear();
         make_room_for_contacts(world);
     });
     run(Stage::UpdateManifolds, [&] { update_contacts(world); });

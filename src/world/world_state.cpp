@@ -58,6 +58,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       broad_phase(make_broad_phase(def.broad_phase, def.broad_phase_options, memory_for(MemoryCategory::BroadPhase))),
       events(memory_for(MemoryCategory::Events)),
       quarantined(&memory_for(MemoryCategory::Events)),
+      quarantine_reasons(&memory_for(MemoryCategory::Events)),
       joint_solver(memory_for(MemoryCategory::Solver)),
       field_forces(memory_for(MemoryCategory::Solver)),
       arena(first_arena, &memory_for(MemoryCategory::Scratch))

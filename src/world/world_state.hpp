@@ -62,6 +62,7 @@ struct WorldState
     // What a step leaves behind.
     EventBuffers events;
     std::pmr::vector<BodyId> quarantined;
+    std::pmr::vector<QuarantineReason> quarantine_reasons; ///< of each of them
     std::uint64_t step_count = 0;
     float last_substep = 0; ///< [s]; 0 before the first
 
