@@ -22,7 +22,7 @@ struct WorldState;
 enum class BodyType
 {
     Static,    ///< never moves, unless its transform is set
-    Kinematic, ///< moves by its velocities, and nothing pushes it
+    Kinematic, ///< moves by its velocities alone, and pushes what it meets; lead it with Body::move_to
     Dynamic    ///< moves by forces and contacts; when its shapes have no mass it counts as 1 kg that does not turn
 };
 
@@ -104,8 +104,19 @@ class Body : public BodyView
 {
 public:
     void set_type(BodyType type);
-    /// Teleports: the body is there at once, and touches what it overlaps from the next step on.
+    /// Teleports: the body is there at once, and touches what it overlaps from the next step on. It passes through what lies
+    /// between and has no speed for what it touches: what stands on a lift that is teleported in every step sinks into it. Move
+    /// a lift, a door or a paddle with move_to().
+    /// @param position of the origin [m], within +-max_coordinate
+    /// @param angle    [rad]
     void set_transform(Vec2 position, float angle);
+    /// Sets the velocities that take a kinematic body to a place within the next step: it carries and pushes what it touches on
+    /// the way, and turns the shorter way round. Call it before each step with the place for the end of that step; the errors of
+    /// rounding do not add up. The velocities stay set: without another call the body goes on by as much in the step after.
+    /// @param target of the origin [m], within +-max_coordinate, and a unit rotation
+    /// @param dt     length of the next step [s], > 0
+    /// @throws UsageError when the body is not kinematic, or when the way would take more than max_speed
+    void move_to(const Transform& target, float dt);
     void set_linear_velocity(Vec2 velocity);   ///< [m/s]; a static body takes none
     void set_angular_velocity(float velocity); ///< [rad/s]; a static body takes none
     void set_linear_damping(float rate);

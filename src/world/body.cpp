@@ -2,6 +2,7 @@
 #include <carom/body.hpp>
 
 #include "dynamics/finalize_bodies.hpp"
+#include "geometry/validate.hpp"
 #include "world/edits.hpp"
 #include "world/sleep.hpp"
 #include "world/validate.hpp"
@@ -115,6 +116,30 @@ void Body::set_transform(Vec2 position, float angle)
     const std::uint32_t body = editable(*world_, id_, "set_transform");
     detail::validate_position(position, angle, "set_transform");
     detail::set_body_transform(*world_, body, {position, rotation(angle)});
+}
+
+void Body::move_to(const Transform& target, float dt)
+{
+    const std::uint32_t body = editable(*world_, id_, "move_to");
+    detail::BodyStore& bodies = world_->bodies;
+    if (bodies.records[body].type != BodyType::Kinematic)
+        detail::usage_error("move_to", "body", std::string_view(bodies.is_dynamic(body) ? "dynamic" : "static"),
+                            "lead kinematic bodies; push a dynamic one, and teleport a static one with set_transform");
+    detail::validate(target, "move_to", "target");
+    detail::require_range("move_to", "dt", dt, detail::min_dt, detail::max_dt);
+
+    const detail::BodyPose& pose = bodies.poses[body];
+    const Vec2 velocity = (1 / dt) * (target * pose.local_center - pose.center);
+    const float spin = carom::angle(relative(pose.transform.q, target.q)) / dt;
+    const bool is_too_far = !(std::abs(velocity.x) <= max_speed && std::abs(velocity.y) <= max_speed && std::abs(spin) <= max_speed);
+    if (is_too_far)
+        detail::usage_error("move_to", "target.p", target.p, "give a place that a speed of 1e6 m/s and 1e6 rad/s reaches within dt");
+    const bool stays = velocity == Vec2{} && spin == 0;
+    if (stays && !bodies.is_active(body)) return; // asleep where it shall be
+    detail::wake_with_neighbors(*world_, body);
+    bodies.set_velocity(body, velocity);
+    bodies.set_spin(body, spin);
+    bodies.set_goal(body, {target.p, normalize(target.q)}, dt);
 }
 
 void Body::set_linear_velocity(Vec2 velocity)

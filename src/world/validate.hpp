@@ -13,6 +13,9 @@ namespace carom::detail
 
 /// Rates and factors beyond this are surely a mistake, and near it float still computes well.
 inline constexpr float max_factor = 1e6f;
+/// The shortest and the longest step that takes time [s].
+inline constexpr float min_dt = 1e-6f;
+inline constexpr float max_dt = 1;
 
 // Each throws UsageError in the name of the public function `function`.
 void require_idle(const WorldState& world, std::string_view function);      ///< not during step(), nor after one that was stopped

@@ -300,7 +300,7 @@ StepReport World::step(float dt, int substeps, StepProbe* probe)
 {
     WorldState& world = state("step");
     require_idle(world, "step");
-    const bool is_good_dt = dt == 0 || (dt >= 1e-6f && dt <= 1); // false for NaN
+    const bool is_good_dt = dt == 0 || (dt >= detail::min_dt && dt <= detail::max_dt); // false for NaN
     if (!is_good_dt) detail::usage_error("step", "dt", dt, "give 0, or a value from 1e-06 to 1");
     detail::require_range("step", "substeps", substeps, 1, 64);
     const StepGuard guard(world.is_stepping);

@@ -133,8 +133,18 @@ void RandomApi::edit_body()
 void RandomApi::edit_flags(Body body)
 {
     const bool flag = draw_.random.one_in(2);
-    switch (draw_.random.below(8))
+    switch (draw_.random.below(9))
     {
+    case 8:
+        try_call("move_to", [&]
+        {
+            const Transform target = draw_.frame();
+            const float dt = draw_.number(0.002f, 0.05f, {1e-6f, 1});
+            draw_.expect(body.type() == BodyType::Kinematic);
+            draw_.doubt(dt < 1e-5f || !(distance(target.p, body.position()) < 5e5f * dt)); // perhaps too fast
+            body.move_to(target, dt);
+        });
+        return;
     case 0: try_call("set_locks", [&] { body.set_locks({flag, draw_.random.one_in(2), draw_.random.one_in(2)}); }); return;
     case 1: try_call("set_is_attractor", [&] { body.set_is_attractor(flag); }); return;
     case 2: try_call("set_enabled", [&] { body.set_enabled(!draw_.random.one_in(3)); }); return;

@@ -47,6 +47,7 @@ constexpr ViewCall<Body> body_calls[] = {
     {"bounds", [](Body& b) { b.bounds(); }},
     {"set_type", [](Body& b) { b.set_type(BodyType::Static); }},
     {"set_transform", [](Body& b) { b.set_transform({}, 0); }},
+    {"move_to", [](Body& b) { b.move_to({}, 0.01f); }},
     {"set_linear_velocity", [](Body& b) { b.set_linear_velocity({}); }},
     {"set_angular_velocity", [](Body& b) { b.set_angular_velocity(0); }},
     {"set_linear_damping", [](Body& b) { b.set_linear_damping(0); }},
