@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory_resource>
 #include <random>
+#include <vector>
 
 namespace carom::detail
 {
@@ -80,7 +81,9 @@ void run(RandomPile& pile)
     const ContactConstants constants = make_contact_constants({}, 1 / 60.0f, 1 / 240.0f, 1 / 480.0f);
     solver.build(pile.colors(), pile.bodies, pile.contacts, constants);
     std::span<BodyMotion> motions = pile.bodies.motions;
-    solver.bounce(motions);
+    std::vector<Vec2> accelerations(motions.size(), Vec2{0, -9.81f});
+    accelerations[0] = {}; // of what does not move
+    solver.bounce(motions, pile.bodies.watches, accelerations);
     for (int substep = 0; substep < 3; ++substep)
     {
         solver.warm_start(motions);

@@ -26,8 +26,11 @@ public:
     /// Makes a row of every contact that has a colour.
     void build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants);
 
+    /// Whether bounce() may have anything to do.
+    bool any_bounces() const { return any_bounces_; }
     /// Collisions that bounce, before the substeps.
-    void bounce(std::span<BodyMotion> motions);
+    /// @param accelerations of each body by gravity and forces [m/s^2], by motion index
+    void bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations);
     void warm_start(std::span<BodyMotion> motions);
     void solve(std::span<BodyMotion> motions);
     void relax(std::span<BodyMotion> motions);

@@ -182,7 +182,7 @@ void ContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, 
     row_count_ = 0;
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
-    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt)};
+    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt), F(constants.h)};
 
     build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
     for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
@@ -225,12 +225,33 @@ void ContactSolver<F>::relax(std::span<BodyMotion> motions)
     for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::relax(row, pass_, a, b); });
 }
 
-/// A blow goes on from pair to pair. After the first round only rows whose bodies a blow has changed since they were last looked at can bounce.
+namespace
+{
+
+/// How the bodies of a row fall along its normals.
+template <class F, int N>
+FreeFall<F> free_fall_of(const ContactRow<F, N>& row, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
+{
+    LaneVec<F> acceleration = {F(0), F(0)};
+    LaneVec<F> set_back = {F(0), F(0)};
+    for (int i = 0; i < lane_width<F>; ++i)
+    {
+        const std::uint32_t a = row.body_a[static_cast<std::size_t>(i)];
+        const std::uint32_t b = row.body_b[static_cast<std::size_t>(i)];
+        set_lane(acceleration, i, accelerations[b] - accelerations[a]);
+        set_lane(set_back, i, watches[b].set_back - watches[a].set_back);
+    }
+    return {dot(acceleration, row.n), dot(set_back, row.n)};
+}
+
+} // namespace
+
+/// An impact goes on from pair to pair. After the first round only rows whose bodies have been struck since their last visit can bounce.
 template <class F>
-void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
+void ContactSolver<F>::bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
 {
     if (!any_bounces_) return;
-    constexpr std::uint32_t most_rounds = 16; // what is left then is for the passes
+    constexpr std::uint32_t most_rounds = 16; // the passes take what is left then
     struck_.assign(motions.size(), 0);        // the last round, from 1, in which a body was struck
     bool goes_on = true;
     for (std::uint32_t round = 1; goes_on && round <= most_rounds; ++round)
@@ -244,7 +265,7 @@ void ContactSolver<F>::bounce(std::span<BodyMotion> motions)
             if (!may) return;
             BodyLanes<F> a = gather<F>(motions, row.body_a);
             BodyLanes<F> b = gather<F>(motions, row.body_b);
-            const F bounced = detail::bounce(row, pass_, a, b);
+            const F bounced = detail::bounce(row, pass_, a, b, free_fall_of(row, watches, accelerations));
             BodyIndices<F> to_a = {};
             BodyIndices<F> to_b = {};
             for (int i = 0; i < lane_width<F>; ++i)

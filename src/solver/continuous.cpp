@@ -416,6 +416,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
         if (mover.version > 0 && is_sound)
         {
             BodyPose& pose = bodies.poses[mover.body];
+            bodies.watches[bodies.motion_index[mover.body]].set_back = pose.center - mover.sweep.center_end;
             pose.transform = end;
             pose.transform.q = normalize(pose.transform.q);
             pose.center = mover.sweep.center_end;

@@ -6,6 +6,23 @@
 namespace carom::detail
 {
 
+namespace
+{
+
+Vec2 acceleration_of(const BodyMass& mass, const BodyDrive& drive, Vec2 g)
+{
+    return {drive.gravity_scale.x * g.x + mass.inv_mass.x * drive.force.x, drive.gravity_scale.y * g.y + mass.inv_mass.y * drive.force.y};
+}
+
+} // namespace
+
+void free_accelerations(std::span<const BodyMass> masses, std::span<const BodyDrive> drives, Vec2 gravity, std::span<const Vec2> fields,
+                        std::span<Vec2> accelerations)
+{
+    for (std::size_t i = 1; i < masses.size(); ++i)
+        accelerations[i] = acceleration_of(masses[i], drives[i], fields.empty() ? gravity : gravity + fields[i]);
+}
+
 void integrate_velocities(std::span<BodyMotion> motions, std::span<const BodyMass> masses, std::span<const BodyDrive> drives, Vec2 gravity,
                           std::span<const Vec2> fields, float h)
 {
@@ -14,9 +31,7 @@ void integrate_velocities(std::span<BodyMotion> motions, std::span<const BodyMas
         BodyMotion& body = motions[i];
         const BodyMass& mass = masses[i];
         const BodyDrive& drive = drives[i];
-        const Vec2 g = fields.empty() ? gravity : gravity + fields[i];
-        const Vec2 a = {drive.gravity_scale.x * g.x + mass.inv_mass.x * drive.force.x,
-                        drive.gravity_scale.y * g.y + mass.inv_mass.y * drive.force.y};
+        const Vec2 a = acceleration_of(mass, drive, fields.empty() ? gravity : gravity + fields[i]);
         body.v = (1 / (1 + h * drive.linear_damping)) * (body.v + h * a);
         body.w = (1 / (1 + h * drive.angular_damping)) * (body.w + h * mass.inv_inertia * drive.torque);
     }

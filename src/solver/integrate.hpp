@@ -17,6 +17,11 @@ namespace carom::detail
 void integrate_velocities(std::span<BodyMotion> motions, std::span<const BodyMass> masses, std::span<const BodyDrive> drives, Vec2 gravity,
                           std::span<const Vec2> fields, float h);
 
+/// The acceleration of each body by gravity, fields and forces, as integrate_velocities applies it, without damping [m/s^2].
+/// @param accelerations by motion index, as many as bodies
+void free_accelerations(std::span<const BodyMass> masses, std::span<const BodyDrive> drives, Vec2 gravity, std::span<const Vec2> fields,
+                        std::span<Vec2> accelerations);
+
 /// dp <- dp + h v and dq <- (rotation by h w) dq.
 void integrate_positions(std::span<BodyMotion> motions, float h);
 

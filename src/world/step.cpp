@@ -62,13 +62,22 @@ ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt,
     return contacts;
 }
 
+void bounce(WorldState& world, ContactSolver<float>& contacts)
+{
+    if (!contacts.any_bounces()) return;
+    BodyStore& bodies = world.bodies;
+    std::pmr::vector<Vec2> accelerations(bodies.motions.size(), Vec2{}, &world.arena);
+    free_accelerations(bodies.masses, bodies.drives, world.gravity, world.field_forces.at_bodies(world.fields, bodies), accelerations);
+    contacts.bounce(bodies.motions, bodies.watches, accelerations);
+}
+
 /// From the velocities at the start of the step to the motions of its end.
 void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt, int substeps, StageRunner& run)
 {
     const float h = dt / static_cast<float>(substeps);
     BodyStore& bodies = world.bodies;
     JointSolver<float>& joints = world.joint_solver;
-    run(Stage::Restitution, [&] { contacts.bounce(bodies.motions); });
+    run(Stage::Restitution, [&] { bounce(world, contacts); });
     for (int i = 0; i < substeps; ++i)
     {
         run(Stage::IntegrateVelocities, i, [&]

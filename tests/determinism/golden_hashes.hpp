@@ -16,18 +16,18 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xc5a43b230ebd3135},       SceneHash{"triggers", 0xdce2d667fe27e555},
-    SceneHash{"collisions", 0x4f0e86875fb1f3fa},    SceneHash{"gravity", 0x3b3a455d4b9e0141},
-    SceneHash{"queries", 0x74131156f1828b82},       SceneHash{"character", 0xc8b3667b5c82dca1},
-    SceneHash{"chain-terrain", 0xb01b45d30681730d}, SceneHash{"tiles", 0x85d3ac19385e9673},
-    SceneHash{"one-way", 0x47710e96f90fc015},       SceneHash{"bullets", 0x5d556abcb5ea9d09},
-    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0x4f763b44f8b29a98},
-    SceneHash{"domino", 0xd7f642531f8c9657},        SceneHash{"newton-cradle", 0x98359510ae2eede0},
+    SceneHash{"planets", 0xfdeaa410168bc953},       SceneHash{"triggers", 0xdce2d667fe27e555},
+    SceneHash{"collisions", 0xd48ce2b1187f7030},    SceneHash{"gravity", 0xbec2060f26f6f5a2},
+    SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
+    SceneHash{"chain-terrain", 0x1a8bdf519cdb9511}, SceneHash{"tiles", 0x85d3ac19385e9673},
+    SceneHash{"one-way", 0x47710e96f90fc015},       SceneHash{"bullets", 0x5a64979381016de},
+    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0xda3bd8eb56801d87},
+    SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0x4a6d81a5b784fc06},
     SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
-    SceneHash{"joints", 0x6c4a1954d27689e},         SceneHash{"ragdolls", 0xf988a22a75fdbc17},
-    SceneHash{"car", 0x9212a8ad76557b7e},           SceneHash{"mass-ratio", 0x9e1869b6112eb11c},
+    SceneHash{"joints", 0x6c4a1954d27689e},         SceneHash{"ragdolls", 0xa346a39356f37c9b},
+    SceneHash{"car", 0xd0461ef0d9da780b},           SceneHash{"mass-ratio", 0x1c1bf32fd467310c},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x8aff831e9027316d;
+inline constexpr std::uint64_t mixed_world = 0xc547476b33be22a8;
 
 } // namespace carom::golden
