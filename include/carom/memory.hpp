@@ -61,6 +61,9 @@ public:
     /// between two resets and half as much again: what repeats itself is soon served by one chunk.
     void reset();
 
+    /// Takes everything back, and returns all chunks to where they came from: as if it were new. A fixed buffer stays.
+    void release();
+
     /// Takes a chunk now unless so many bytes are left in the one in use.
     /// @throws std::bad_alloc when a fixed buffer has not as many
     void reserve(std::size_t bytes);
@@ -84,6 +87,7 @@ private:
     std::byte* begin_ = nullptr;          ///< of the newest chunk's bytes, or of the buffer
     std::byte* next_ = nullptr;           ///< the first free byte
     std::byte* end_ = nullptr;
+    std::size_t first_chunk_;     ///< as it was asked for [bytes]
     std::size_t next_chunk_;      ///< bytes of the next chunk
     std::size_t used_before_ = 0; ///< of the chunks before the newest one
     std::size_t capacity_ = 0;

@@ -91,6 +91,13 @@ struct StepReport
     int colors = 0;        ///< groups of independent contacts that it made of them
     int overflow_rows = 0; ///< contacts that found no colour and were solved one by one
 
+    /// Stiffness of contacts in this step: WorldDef::solver.contact_hertz, or an eighth of the substep rate if that is less [1/s]; 0
+    /// in a step that takes no time.
+    float contact_hertz = 0;
+    /// A warning: substeps are so long that contacts have less than half of the stiffness that SolverTuning asks for, so that piles
+    /// sink and tip over. With the defaults: fewer than 120 substeps a second. Give World::step more substeps, or step more often.
+    bool is_too_long = false;
+
     BroadPhaseStats broad_phase; ///< of this step's search for pairs
 
     MemoryReport memory;         ///< after the step
@@ -99,15 +106,8 @@ struct StepReport
     /// Bodies that this step put aside: each is back at the place where it was before the step, at rest and disabled. Valid until
     /// the world's next step.
     std::span<const BodyId> quarantined;
-};
-
-    /// Stiffness of contacts in this step: WorldDef::solver.contact_hertz, or an eighth of the substep rate if that is less [1/s]; 0
-    /// in a step that takes no time.
-    float contact_hertz = 0;
-    /// A warning: substeps are so long that contacts have less than half of the stiffness that SolverTuning asks for, so that piles
-    /// sink and tip over. With the defaults: fewer than 120 substeps a second. Give World::step more substeps, or step more often.
     /// Why, for each body of `quarantined`. Valid as long.
     std::span<const QuarantineReason> quarantine_reasons;
-    bool is_too_long = false;
+};
 
 } // namespace carom

@@ -91,8 +91,12 @@ struct WorldDef
 /// seconds, angles in radians.
 class World
 {
+    struct Defaults;
+
 public:
     explicit World(const WorldDef& def = {});
+    /// `World({})` is `World()`. Without this constructor it would be ambiguous with moving from an empty world.
+    explicit World(Defaults*) : World(WorldDef{}) {}
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -101,12 +105,8 @@ public:
     BodyId create_body(const BodyDef& def);
     /// A body with one shape.
     BodyId create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape = {});
-    struct Defaults;
-
     void destroy_body(BodyId id); ///< and its shapes
     ShapeId create_shape(BodyId body, const Geometry& geometry, const ShapeDef& def = {});
-    /// `World({})` is `World()`. Without this constructor it would be ambiguous with moving from an empty world.
-    explicit World(Defaults*) : World(WorldDef{}) {}
     void destroy_shape(ShapeId id); ///< not a chain's segment: those go all together
     ChainId create_chain(BodyId body, const ChainDef& def);
     void destroy_chain(ChainId id); ///< and its segments
@@ -153,6 +153,12 @@ public:
 
     // Time.
     /// Advances the world.
+    ///
+    /// How long a step may be: contacts are springs, as stiff as SolverTuning::contact_hertz asks, but at most an eighth of the
+    /// substep rate, `substeps` / `dt`. Softer piles sink and tip over. With the defaults and boxes of one size, a tower of 5 stands
+    /// from 60 substeps a second on, of 10 from 160, of 20 from 240. Whether they come from more steps or from more substeps hardly
+    /// matters: 0.1 s needs 16 substeps for a tower of 10. StepReport::is_too_long warns.
+    ///
     /// @param dt       [s], 0 or from 1e-6 to 1; 0 updates contacts and events, moves nothing and leaves forces for the next step
     /// @param substeps parts into which the step is divided, 1 to 64; more make stiff piles and fast spins more exact
     /// @param probe    called at the end of each stage, to look inside the step; null for none
@@ -163,12 +169,6 @@ public:
     /// are those on `b`.
     Manifold manifold(ShapeId a, ShapeId b) const;
 
-    ///
-    /// How long a step may be: contacts are springs, as stiff as SolverTuning::contact_hertz asks, but at most an eighth of the
-    /// substep rate, `substeps` / `dt`. Softer piles sink and tip over. With the defaults and boxes of one size, a tower of 5 stands
-    /// from 60 substeps a second on, of 10 from 160, of 20 from 240. Whether they come from more steps or from more substeps hardly
-    /// matters: 0.1 s needs 16 substeps for a tower of 10. StepReport::is_too_long warns.
-    ///
     // Queries. All see the bodies where they are now, whatever was edited since the last step. Their results depend neither on the broad phase nor
     // on the order in which it looks; what is equally near is ordered by the shape's index. Several threads may query one world at once as long as
     // nobody changes or steps it. During a step they throw UsageError, and so they do on a point or a shape that is not finite or beyond
@@ -241,6 +241,18 @@ public:
     int joint_count() const;
     /// What the world holds now, by category. The total is what its memory resource has given and not got back.
     MemoryReport memory() const;
+    /// Gives memory that is not in use back to the world's memory resource: after a level has been unloaded, say. Bodies, shapes,
+    /// contacts and joints that exist stay where they are; what lies behind the last one of a kind goes, as does spare room. So a
+    /// world with few bodies becomes small when they are its oldest, and an empty one as small as a new one.
+    /// Costs about as much as copying the world, and needs some memory while it works; should the memory resource fail, the world
+    /// can be read and destroyed only.
+    ///
+    /// No body moves, and the next steps give the same motion. Ids that name something still do, and ids of what was destroyed stay
+    /// stale. The lists of the last step's events are emptied. The next calls and steps may allocate again, which a warm world does
+    /// not. What is created later may get other ids than without this call; hash() covers which, so that it changes when places
+    /// behind the last one in use were given back. Programs that compare hashes shrink their worlds at the same step.
+    /// @throws UsageError during a step
+    void shrink();
     /// Number of steps taken.
     std::uint64_t step_count() const;
     /// A hash of the whole state. Equal runs give equal hashes at every step, whatever the broad phase, compiler or build type.

@@ -75,6 +75,14 @@ void PairSet::reserve(std::size_t count)
     if (capacity > cells_.size()) rehash(capacity);
 }
 
+void PairSet::shrink()
+{
+    if (size_ == 0)
+        cells_ = std::pmr::vector<Cell>(cells_.get_allocator());
+    else
+        rehash(std::bit_ceil(std::max(smallest_capacity, 2 * size_)));
+}
+
 void PairSet::clear()
 {
     std::fill(cells_.begin(), cells_.end(), empty);

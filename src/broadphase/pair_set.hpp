@@ -22,6 +22,8 @@ public:
     std::size_t size() const { return size_; }
     /// Makes room for `count` pairs, so that inserting up to that many allocates nothing.
     void reserve(std::size_t count);
+    /// Gives back the memory that the pairs do not need.
+    void shrink();
     /// Forgets the pairs, keeps the memory.
     void clear();
 

@@ -45,6 +45,21 @@ void BodyStore::make_room()
     detail::make_room(watches, count);
 }
 
+void BodyStore::shrink()
+{
+    slots.drop_tail();
+    for (std::uint32_t slot = 0; slot < slots.size(); ++slot)
+        if (!slots.is_live(slot)) records[slot] = BodyRecord(records.get_allocator().resource()); // its name may be long
+    cut(records, slots.size());
+    cut(poses, slots.size());
+    cut(motion_index, slots.size());
+    cut(motions, motions.size());
+    cut(masses, masses.size());
+    cut(drives, drives.size());
+    cut(watches, watches.size());
+    make_room();
+}
+
 void BodyStore::make_room_for_one()
 {
     const std::size_t count = records.size() + 1;
@@ -177,28 +192,13 @@ void BodyStore::set_velocity(std::uint32_t slot, Vec2 v)
     const BodyRecord& record = records[slot];
     if (record.type == BodyType::Dynamic) v = {record.locks.x ? 0.0f : v.x, record.locks.y ? 0.0f : v.y};
     (is_active(slot) ? motions[motion_index[slot]].v : records[slot].saved_v) = v;
+    forget_plans(slot);
 }
 
 void BodyStore::set_spin(std::uint32_t slot, float w)
 {
     if (records[slot].type == BodyType::Dynamic && records[slot].locks.rotation) w = 0;
     (is_active(slot) ? motions[motion_index[slot]].w : records[slot].saved_w) = w;
-}
-
-void BodyStore::push(std::uint32_t slot, Vec2 impulse, float angular_impulse)
-{
-    BodyMotion& motion = motions[motion_index[slot]];
-    const BodyMass& mass = masses[motion_index[slot]];
-    motion.v += {mass.inv_mass.x * impulse.x, mass.inv_mass.y * impulse.y};
-    motion.w += mass.inv_inertia * angular_impulse;
-}
-    forget_plans(slot);
-
-void BodyStore::set_transform(std::uint32_t slot, const Transform& transform)
-{
-    poses[slot].transform = transform;
-    poses[slot].center = transform * poses[slot].local_center;
-}
     forget_plans(slot);
 }
 
@@ -216,6 +216,22 @@ void BodyStore::set_goal(std::uint32_t slot, const Transform& goal, float dt)
     records[slot].goal = goal;
     records[slot].goal_dt = dt;
     watches[motion_index[slot]].has_goal = true;
+}
+
+void BodyStore::push(std::uint32_t slot, Vec2 impulse, float angular_impulse)
+{
+    BodyMotion& motion = motions[motion_index[slot]];
+    const BodyMass& mass = masses[motion_index[slot]];
+    motion.v += {mass.inv_mass.x * impulse.x, mass.inv_mass.y * impulse.y};
+    motion.w += mass.inv_inertia * angular_impulse;
+}
+
+void BodyStore::set_transform(std::uint32_t slot, const Transform& transform)
+{
+    poses[slot].transform = transform;
+    poses[slot].center = transform * poses[slot].local_center;
+    forget_plans(slot);
+}
 
 /// As finalize_bodies will do it.
 BodyPose BodyStore::pose_now(std::uint32_t slot) const
@@ -230,7 +246,6 @@ BodyPose BodyStore::pose_now(std::uint32_t slot) const
 }
 
 MassData combined(const MassData& a, const MassData& b)
-    forget_plans(slot);
 {
     const float mass = a.mass + b.mass;
     if (mass <= 0) return {};

@@ -138,6 +138,8 @@ public:
     void reserve(std::size_t count);
     /// Room to activate every body there is: what create() sees to, and a copy of the arrays does not bring along.
     void make_room();
+    /// Gives back the memory of what lies behind the last body, and spare room.
+    void shrink();
 
     /// Makes the dense arrays follow the record: type, enabled, asleep, mass, locks, damping, size.
     void refresh(std::uint32_t slot);
@@ -151,10 +153,10 @@ public:
     void set_velocity(std::uint32_t slot, Vec2 v);
     void set_spin(std::uint32_t slot, float w);
     void set_transform(std::uint32_t slot, const Transform& transform);
-    /// Whether forces and impulses act on the body: it is dynamic and enabled.
-    bool is_pushable(std::uint32_t slot) const { return is_dynamic(slot) && is_active(slot); }
     /// An active body has velocities that take it to a place within a step: finalize_bodies puts it there exactly.
     void set_goal(std::uint32_t slot, const Transform& goal, float dt);
+    /// Whether forces and impulses act on the body: it is dynamic and enabled.
+    bool is_pushable(std::uint32_t slot) const { return is_dynamic(slot) && is_active(slot); }
     /// Changes the velocity of a pushable body by an impulse [N s] and an angular impulse [N m s].
     void push(std::uint32_t slot, Vec2 impulse, float angular_impulse);
     /// Makes mass and centre follow the shapes' mass, the override and the type.
@@ -176,7 +178,7 @@ private:
     void make_room_for_one();
     void activate(std::uint32_t slot);
     void deactivate(std::uint32_t slot);
+    void forget_plans(std::uint32_t slot);
 };
 
-    void forget_plans(std::uint32_t slot);
 } // namespace carom::detail

@@ -37,6 +37,12 @@ public:
         return slot;
     }
     void destroy(std::uint32_t slot) { slots.release(slot); }
+    /// Gives back the memory of what lies behind the last chain, and spare room.
+    void shrink()
+    {
+        slots.drop_tail();
+        cut(records, slots.size());
+    }
 
     SlotPool slots;
     std::pmr::vector<ChainRecord> records;

@@ -57,6 +57,15 @@ void ContactStore::put_to_sleep(std::uint32_t slot)
     contacts[slot].place_in_awake = null_index;
 }
 
+void ContactStore::shrink()
+{
+    slots.drop_tail();
+    cut(contacts, slots.size());
+    cut(manifolds, slots.size());
+    cut(awake, awake.size());
+    make_room(awake, contacts.size()); // so that waking never allocates
+}
+
 void ContactStore::reserve(std::size_t count)
 {
     slots.reserve(count);

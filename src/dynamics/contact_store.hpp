@@ -83,6 +83,8 @@ public:
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);
+    /// Gives back the memory of what lies behind the last contact, and spare room.
+    void shrink();
     /// Contacts that are made from now on are new; those from before no longer.
     void begin_search() { ++search_; }
     bool is_new(const Contact& contact) const { return contact.search == search_; }

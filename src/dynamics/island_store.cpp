@@ -27,6 +27,15 @@ void IslandStore::make_room_for(std::size_t bodies)
     make_room(stack_, bodies);
 }
 
+void IslandStore::shrink(std::size_t bodies)
+{
+    slots_.drop_tail();
+    cut(islands_, slots_.size());
+    cut(awake_, awake_.size());
+    cut(stack_, 0);
+    make_room_for(bodies);
+}
+
 std::uint32_t IslandStore::create()
 {
     const std::uint32_t island = slots_.acquire();

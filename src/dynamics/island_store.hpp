@@ -32,6 +32,8 @@ public:
 
     /// Room for as many islands as bodies, so that none of the calls below allocates.
     void make_room_for(std::size_t bodies);
+    /// Gives back the memory of what lies behind the last island, and spare room but for as many islands as bodies.
+    void shrink(std::size_t bodies);
 
     /// A dynamic body becomes an island of its own, awake.
     void add(std::uint32_t body, BodyStore& bodies);

@@ -30,6 +30,14 @@ void JointStore::destroy(std::uint32_t slot, BodyStore& bodies)
     slots.release(slot);
 }
 
+void JointStore::shrink()
+{
+    slots.drop_tail();
+    cut(joints, slots.size());
+    cut(active, active.size());
+    make_room(active, joints.size()); // so that activating never allocates
+}
+
 void JointStore::activate(std::uint32_t slot)
 {
     joints[slot].place_in_active = static_cast<std::uint32_t>(active.size());

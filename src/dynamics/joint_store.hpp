@@ -67,6 +67,9 @@ public:
     std::uint32_t create(const Joint& joint, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
 
+    /// Gives back the memory of what lies behind the last joint, and spare room.
+    void shrink();
+
     /// The solver works on a joint, or no longer. Neither allocates.
     void activate(std::uint32_t slot);
     void deactivate(std::uint32_t slot);

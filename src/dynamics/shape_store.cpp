@@ -42,6 +42,17 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
 
 void ShapeStore::make_room() { detail::make_room(moved, records.size()); }
 
+void ShapeStore::shrink()
+{
+    slots.drop_tail();
+    cut(records, slots.size());
+    cut(geometry, slots.size());
+    cut(bounds, slots.size());
+    cut(place_in_moved, slots.size());
+    cut(moved, moved.size());
+    make_room();
+}
+
 void ShapeStore::destroy(std::uint32_t slot)
 {
     unmark_moved(slot);

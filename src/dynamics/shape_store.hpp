@@ -65,6 +65,8 @@ public:
     void reserve(std::size_t count);
     /// Room to mark every shape as moved: what create() sees to, and a copy of the arrays does not bring along.
     void make_room();
+    /// Gives back the memory of what lies behind the last shape, and spare room.
+    void shrink();
 
     /// Asks for new pairs of this shape in the next step.
     void mark_moved(std::uint32_t slot);

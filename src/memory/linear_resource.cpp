@@ -26,7 +26,8 @@ std::size_t gap_to_alignment(const std::byte* p, std::size_t alignment) { return
 
 LinearResource::LinearResource(std::size_t first_chunk, std::pmr::memory_resource* upstream)
     : upstream_(detail::or_default(upstream)),
-      next_chunk_(std::max(first_chunk, least_chunk))
+      first_chunk_(std::max(first_chunk, least_chunk)),
+      next_chunk_(first_chunk_)
 {
 }
 
@@ -35,12 +36,22 @@ LinearResource::LinearResource(std::span<std::byte> buffer)
       begin_(buffer.data()),
       next_(buffer.data()),
       end_(buffer.data() + buffer.size()),
+      first_chunk_(0),
       next_chunk_(0),
       capacity_(buffer.size())
 {
 }
 
 LinearResource::~LinearResource() { free_chunks(); }
+
+void LinearResource::release()
+{
+    stats_.bytes = stats_.blocks = 0;
+    high_water_ = used_before_ = 0;
+    next_chunk_ = first_chunk_;
+    free_chunks();
+    next_ = begin_;
+}
 
 std::size_t LinearResource::used() const { return used_before_ + static_cast<std::size_t>(next_ - begin_); }
 

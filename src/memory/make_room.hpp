@@ -1,4 +1,4 @@
-// Growing arrays ahead of a change, so that the change itself can't fail.
+// Growing arrays ahead of a change, so that the change itself can't fail, and shrinking them after one.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,14 @@ template <class T>
 void make_room(std::pmr::vector<T>& list, std::size_t size)
 {
     if (list.capacity() < size) list.reserve(std::max(size, list.capacity() + list.capacity() / 2));
+}
+
+/// Takes off all elements from `size` on, and gives back what the list does not need any more.
+template <class T>
+void cut(std::pmr::vector<T>& list, std::size_t size)
+{
+    if (size < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
+    list.shrink_to_fit();
 }
 
 } // namespace carom::detail

@@ -37,11 +37,11 @@ public:
 
     /// @param watches bodies of contacts that are still coming up begin their rest anew
     void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const;
+    /// Notes the bodies that a surface with a tangent speed carries, or that carry it.
+    void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const;
 
     /// Writes what the rows hold into copies of the manifolds, as of this moment: what the step has applied so far, and where the points have come to.
     /// @param is_within_substep whether the impulses of the substep in hand act on the bodies already, and are not yet in the sums
-    /// Notes the bodies that a surface with a tangent speed carries, or that carry it.
-    void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const;
     void show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const;
 
     int row_count() const { return row_count_; }
@@ -72,9 +72,9 @@ private:
     int row_count_ = 0;
     float carry_share_ = 0;
     bool any_bounces_ = false;
+    bool any_belts_ = false; ///< whether a surface has a tangent speed
 };
 
 extern template class ContactSolver<float>;
-    bool any_belts_ = false; ///< whether a surface has a tangent speed
 
 } // namespace carom::detail

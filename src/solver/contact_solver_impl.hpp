@@ -333,27 +333,6 @@ void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatc
     });
 }
 
-template <class F>
-void ContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
-{
-    const F pending = F(is_within_substep ? 1.0f : 0.0f);
-    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
-    {
-        const BodyLanes<F> a = gather<F>(motions, row.body_a);
-        const BodyLanes<F> b = gather<F>(motions, row.body_b);
-        ContactManifold& manifold = manifolds[slot];
-        manifold.total_rolling = lane(row.rolling_total + pending * row.rolling_lambda, i);
-        for (std::size_t p = 0; p < row.points.size(); ++p)
-        {
-            const PointRow<F>& from = row.points[p];
-            ContactPointState& point = manifold.points[p];
-            const LaneVec<F> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
-            point.position += 0.5f * Vec2{lane(way.x, i), lane(way.y, i)}; // halfway between the surfaces
-            point.separation = lane(separation(row, from, a, b), i);
-            point.total_normal = lane(from.total_n + pending * from.lambda_n, i);
-            point.total_tangent = lane(from.total_t + pending * from.lambda_t, i);
-            point.normal_velocity = lane(from.normal_velocity, i);
-        }
 /// A belt is at work while what it carries moves along it, be it slower than the belt; under a body that is held fast it is not.
 template <class F>
 void ContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const
@@ -375,6 +354,27 @@ void ContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::spa
     });
 }
 
+template <class F>
+void ContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
+{
+    const F pending = F(is_within_substep ? 1.0f : 0.0f);
+    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
+    {
+        const BodyLanes<F> a = gather<F>(motions, row.body_a);
+        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        ContactManifold& manifold = manifolds[slot];
+        manifold.total_rolling = lane(row.rolling_total + pending * row.rolling_lambda, i);
+        for (std::size_t p = 0; p < row.points.size(); ++p)
+        {
+            const PointRow<F>& from = row.points[p];
+            ContactPointState& point = manifold.points[p];
+            const LaneVec<F> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
+            point.position += 0.5f * Vec2{lane(way.x, i), lane(way.y, i)}; // halfway between the surfaces
+            point.separation = lane(separation(row, from, a, b), i);
+            point.total_normal = lane(from.total_n + pending * from.lambda_n, i);
+            point.total_tangent = lane(from.total_t + pending * from.lambda_t, i);
+            point.normal_velocity = lane(from.normal_velocity, i);
+        }
     });
 }
 

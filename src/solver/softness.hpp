@@ -85,12 +85,6 @@ inline constexpr float carry_rate = 1.2f;
 /// sag for as long as they do. stacking_test breaks.
 inline constexpr float settled_within = 0.00025f;
 
-/// @param dt       step [s]
-/// @param h        substep [s]
-/// @param h_before substep of the last step [s]; 0 when there was none
-inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before)
-{
-    const float hertz = contact_stiffness(tuning, h);
 /// A spring is integrated well up to an eighth of the substep rate; stiffer ones ring [1/s].
 inline float contact_stiffness(const SolverTuning& tuning, float h) { return std::min(tuning.contact_hertz, 0.125f / h); }
 
@@ -98,6 +92,12 @@ inline float contact_stiffness(const SolverTuning& tuning, float h) { return std
 /// ten boxes then begin to tip over. Tests: step_length_test.
 inline bool is_too_soft(const SolverTuning& tuning, float h) { return contact_stiffness(tuning, h) < 0.499f * tuning.contact_hertz; }
 
+/// @param dt       step [s]
+/// @param h        substep [s]
+/// @param h_before substep of the last step [s]; 0 when there was none
+inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before)
+{
+    const float hertz = contact_stiffness(tuning, h);
     return {.dt = dt,
             .h = h,
             .inv_h = 1 / h,

@@ -109,6 +109,28 @@ void reserve_for_edits(WorldState& world)
     make_room(world.events.joint_break, world.joints.joints.size());
 }
 
+void shrink(WorldState& world)
+{
+    world.bodies.shrink();
+    world.shapes.shrink();
+    world.chains.shrink();
+    world.contacts.shrink();
+    world.joints.shrink();
+    world.islands.shrink(world.bodies.records.size());
+    world.fields.slots.drop_tail();
+    cut(world.fields.fields, world.fields.slots.size());
+    world.pairs.shrink();
+    set_broad_phase(world, world.broad_phase->type(), world.broad_phase_options);
+
+    world.events.shrink();
+    cut(world.quarantined, 0);
+    cut(world.quarantine_reasons, 0);
+    world.joint_solver = JointSolver<float>(world.memory_for(MemoryCategory::Solver));
+    world.field_forces = FieldForces(world.memory_for(MemoryCategory::Solver));
+    world.arena.release();
+    reserve_for_edits(world);
+}
+
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def)
 {
     const std::uint32_t shape = world.shapes.create(body, geometry, def);

@@ -10,6 +10,9 @@ namespace carom::detail
 /// After the stores were copied: the room that edits count on, which a copy of an array does not have.
 void reserve_for_edits(WorldState& world);
 
+/// Gives back all memory that what exists does not need. See World::shrink.
+void shrink(WorldState& world);
+
 std::uint32_t create_body(WorldState& world, const BodyDef& def);
 std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
 void destroy_body(WorldState& world, std::uint32_t body);

@@ -4,6 +4,7 @@
 #include "dynamics/contact_rules.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "memory/make_room.hpp"
 #include "solver/continuous.hpp"
 
 #include <carom/events.hpp>
@@ -46,6 +47,18 @@ struct EventBuffers
         joint_break.clear();
         fell_asleep.clear();
         woke.clear();
+    }
+
+    /// Forgets the last step, and gives back all memory but what holds the ends that wait to be told.
+    void shrink()
+    {
+        clear();
+        arena.release();
+        cut(pending_contact_end, pending_contact_end.size());
+        cut(pending_sensor_end, pending_sensor_end.size());
+        cut(joint_break, 0);
+        cut(fell_asleep, 0);
+        cut(woke, 0);
     }
 
     static constexpr std::size_t first_arena = 4096; // [bytes]; it learns how much a step tells

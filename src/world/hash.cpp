@@ -45,6 +45,7 @@ void add_slots(Hasher& hasher, const detail::SlotPool& slots)
     hasher.add_all(slots.size(), slots.first_free());
     for (std::uint32_t slot = 0; slot < slots.size(); ++slot)
         hasher.add_all(slots.generation(slot), slots.is_live(slot), slots.is_live(slot) ? 0 : slots.next_free(slot));
+    if (slots.dropped_generation() > 0) hasher.add(slots.dropped_generation());
 }
 
 void add_geometry(Hasher& hasher, const Geometry& geometry)
@@ -76,11 +77,11 @@ void add_bodies(Hasher& hasher, const detail::BodyStore& bodies, std::uint64_t s
         hasher.add_all(body.island, body.next_in_island, bodies.watches[bodies.motion_index[slot]].rest_time);
         hasher.add_all(pose.transform.p, pose.transform.q, pose.center, bodies.velocity(slot), bodies.spin(slot), drive.force,
                        drive.torque);
-        if (body.is_asleep && body.put_to_sleep_at == step_count) hasher.add(step_count); // whom it touches in the next step
         const detail::BodyWatch& watch = bodies.watches[bodies.motion_index[slot]];
         if (watch.rest_time > 0) hasher.add_all(watch.drift, watch.turn);
         if (watch.set_back != Vec2{}) hasher.add(watch.set_back);
         if (watch.has_goal) hasher.add_all(body.goal.p, body.goal.q, body.goal_dt);
+        if (body.is_asleep && body.put_to_sleep_at == step_count) hasher.add(step_count); // whom it touches in the next step
     }
 }
 

@@ -105,6 +105,8 @@ void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt,
     run(Stage::StoreImpulses, [&]
     {
         contacts.store_impulses(world.contacts, bodies.watches);
+        contacts.mark_driven(bodies.motions, bodies.watches);
+        joints.mark_driven(bodies.motions, bodies.watches);
         joints.store_impulses(bodies.motions, world.joints, 1 / dt);
         break_joints(world);
     });
@@ -114,8 +116,6 @@ void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt,
 /// From motions to poses.
 void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, StageRunner& run)
 {
-        contacts.mark_driven(bodies.motions, bodies.watches);
-        joints.mark_driven(bodies.motions, bodies.watches);
     std::pmr::vector<FastBody> fast(&world.arena);
     run(Stage::FinalizeBodies, [&]
     {
@@ -140,7 +140,13 @@ void count(const WorldState& world, const ColorLists& contacts, float dt, std::s
     report.broad_phase = world.broad_phase->stats();
     report.memory = memory_report(world);
     report.allocations = world.memory.stats().allocations - allocations_before;
+    if (dt > 0)
+    {
+        report.contact_hertz = contact_stiffness(world.tuning, world.last_substep);
+        report.is_too_long = is_too_soft(world.tuning, world.last_substep);
+    }
     report.quarantined = world.quarantined;
+    report.quarantine_reasons = world.quarantine_reasons;
 }
 
 void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, StepReport& report)
@@ -149,13 +155,8 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     const std::size_t allocations_before = world.memory.stats().allocations;
     world.arena.reset();
     world.quarantined.clear();
+    world.quarantine_reasons.clear();
     world.events.clear();
-    if (dt > 0)
-    {
-        report.contact_hertz = contact_stiffness(world.tuning, world.last_substep);
-        report.is_too_long = is_too_soft(world.tuning, world.last_substep);
-    }
-    report.quarantine_reasons = world.quarantine_reasons;
     ContactSolver<float> solver(world.arena);
     ContinuousCollision continuous(world.arena);
     StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
@@ -164,7 +165,6 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     {
         if (find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena))
             world.must_review = true;
-    world.quarantine_reasons.clear();
         make_room_for_contacts(world);
     });
     run(Stage::UpdateManifolds, [&] { update_contacts(world); });

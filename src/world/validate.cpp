@@ -34,8 +34,8 @@ std::uint32_t require_id(const SlotPool& slots, Id<Tag> id, std::uint32_t world,
                               std::to_string(id.world) + "}";
     if (!id) usage_error(function, what, std::string_view("null"), "give an id that create returned");
     if (id.world != world) usage_error(function, what, value, "give an id of this world");
-    const bool existed = id.index < slots.size() && id.generation <= slots.generation(id.index);
-    if (!existed) usage_error(function, what, value, "it does not exist yet in this world; give an id that create returned");
+    if (!slots.was_live(id.index, id.generation))
+        usage_error(function, what, value, "it does not exist yet in this world; give an id that create returned");
     usage_error(function, what, value, "it was destroyed; ask with find before using an old id");
 }
 

@@ -423,6 +423,15 @@ void World::set_hooks(ContactHooks* hooks)
     detail::mix_all_again(world);
 }
 
+void World::shrink()
+{
+    WorldState& world = state("shrink");
+    require_idle(world, "shrink");
+    world.is_broken = true; // unless it comes to its end
+    detail::shrink(world);
+    world.is_broken = false;
+}
+
 int World::body_count() const { return state("body_count").bodies.slots.live_count(); }
 
 int World::shape_count() const { return state("shape_count").shapes.slots.live_count(); }

@@ -111,8 +111,9 @@ void RandomApi::edit_joint()
 void RandomApi::edit_rules()
 {
     const bool flag = draw_.random.one_in(2);
-    switch (draw_.random.below(7))
+    switch (draw_.random.below(8))
     {
+    case 7: try_call("shrink", [&] { world_.shrink(); }); return;
     case 0: try_call("set_mixing", [&] { world_.set_mixing({draw_.one_of<Mix>(5, 8), draw_.one_of<Mix>(5, 8)}); }); return;
     case 1: try_call("set_hit_speed", [&] { world_.set_hit_speed(draw_.number(0, 5, rate)); }); return;
     case 2: try_call("set_hooks", [&] { world_.set_hooks(flag ? &hooks_ : nullptr); }); return;
