@@ -225,9 +225,6 @@ void ContactSolver<F>::relax(std::span<BodyMotion> motions)
     for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::relax(row, pass_, a, b); });
 }
 
-namespace
-{
-
 /// How the bodies of a row fall along its normals.
 template <class F, int N>
 FreeFall<F> free_fall_of(const ContactRow<F, N>& row, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
@@ -243,8 +240,6 @@ FreeFall<F> free_fall_of(const ContactRow<F, N>& row, std::span<const BodyWatch>
     }
     return {dot(acceleration, row.n), dot(set_back, row.n)};
 }
-
-} // namespace
 
 /// An impact goes on from pair to pair. After the first round only rows whose bodies have been struck since their last visit can bounce.
 template <class F>

@@ -1,11 +1,12 @@
 // Kinematic bodies that are led from place to place: they arrive exactly, carry what stands on them, and refuse what can't be.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -14,8 +15,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// A closed path that turns as it goes.
 Transform on_path(int step)
@@ -158,8 +157,6 @@ TEST(MoveTo, pushes_what_is_in_its_way)
 
 TEST(MoveTo, refuses_other_bodies_and_bad_arguments_and_says_why)
 {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float inf = std::numeric_limits<float>::infinity();
     World world;
     Body lift = world.body(world.create_body({.type = BodyType::Kinematic}, box(1, 1)));
     Body crate = world.body(world.create_body({.position = {5, 0}}, box(1, 1)));

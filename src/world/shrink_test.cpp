@@ -1,4 +1,6 @@
 // What World::shrink gives back, and that nothing else changes.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -12,9 +14,7 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
-
-std::vector<BodyId> fill(World& world, int count, Vec2 corner = {})
+std::vector<BodyId> fill_with_boxes(World& world, int count, Vec2 corner = {})
 {
     std::vector<BodyId> bodies;
     for (int i = 0; i < count; ++i)
@@ -62,7 +62,7 @@ void expect_empty_again(BroadPhaseType type, int count)
     HeapResource memory;
     World world({.broad_phase = type, .memory = &memory});
     const std::size_t empty = memory.stats().bytes;
-    const std::vector<BodyId> bodies = fill(world, count);
+    const std::vector<BodyId> bodies = fill_with_boxes(world, count);
     for (const BodyId id : bodies) world.destroy_body(id);
     world.step(dt);
     ASSERT_GT(memory.stats().bytes, 100 * empty);
@@ -91,9 +91,9 @@ TEST_P(ShrinkTest, with_survivors_a_world_takes_what_they_need)
     HeapResource small_memory;
     World world({.broad_phase = GetParam(), .memory = &memory});
     World small({.broad_phase = GetParam(), .memory = &small_memory});
-    const std::vector<BodyId> survivors = fill(world, 100, {-500, 0});
-    fill(small, 100, {-500, 0});
-    const std::vector<BodyId> others = fill(world, 3000);
+    const std::vector<BodyId> survivors = fill_with_boxes(world, 100, {-500, 0});
+    fill_with_boxes(small, 100, {-500, 0});
+    const std::vector<BodyId> others = fill_with_boxes(world, 3000);
     for (int i = 0; i < 3; ++i) world.step(dt), small.step(dt);
     for (const BodyId id : others) world.destroy_body(id);
     world.step(dt);
@@ -146,7 +146,7 @@ TEST(Shrink, Slow_after_a_million_bodies_an_empty_world_is_as_small_as_a_new_one
 TEST(Shrink, spare_room_alone_does_not_change_the_hash)
 {
     World world({.capacity = {.bodies = 1000, .shapes = 1000, .contacts = 1000}});
-    fill(world, 10);
+    fill_with_boxes(world, 10);
     const std::uint64_t hash = world.hash();
     const std::size_t bytes = world.memory().total.bytes;
     world.shrink();

@@ -1,4 +1,6 @@
 // How far a body may have moved when it falls asleep, and that drives keep awake what they move.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -14,9 +16,7 @@ namespace carom
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
-
-void steps(World& world, int count)
+void run_steps(World& world, int count)
 {
     for (int i = 0; i < count; ++i) world.step(dt);
 }
@@ -31,7 +31,7 @@ TEST(SleepDrift, a_small_body_that_spins_stays_awake)
     {
         World world({.gravity = {}});
         const BodyId id = world.create_body({.angular_velocity = 1}, triangle(size));
-        steps(world, 600);
+        run_steps(world, 600);
         EXPECT_TRUE(world.body(id).is_awake()) << size;
         EXPECT_NEAR(world.body(id).angular_velocity(), 1, 1e-3f) << size;
     }
@@ -71,7 +71,7 @@ TEST(SleepDrift, what_trembles_in_one_place_still_falls_asleep)
     World swing({.gravity = {}});
     const BodyId bob = swing.create_body({.linear_velocity = {0.02f, 0}}, box(0.02f, 0.02f));
     swing.create_joint(swing.joint_at({}, bob, {0, 0}), PrismaticJoint{.spring = Spring{.hertz = 8, .damping_ratio = 0}});
-    steps(swing, 120);
+    run_steps(swing, 120);
     EXPECT_FALSE(swing.body(bob).is_awake());
 }
 
@@ -105,7 +105,7 @@ TEST(SleepDrift, a_slow_belt_carries_what_lies_on_it)
             world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(100, 2), {.material = {.tangent_speed = speed}});
             const BodyId id = world.create_body({.position = {0, 0.5f}, .locks = {.rotation = round}},
                                                 round ? Geometry{circle(0.5f)} : Geometry{box(1, 1)});
-            steps(world, 600);
+            run_steps(world, 600);
             EXPECT_TRUE(world.body(id).is_awake());
             EXPECT_NEAR(world.body(id).position().x, 10 * speed, 0.03f * 10 * speed) << speed;
         }
@@ -117,10 +117,10 @@ TEST(SleepDrift, a_belt_under_a_blocked_body_lets_it_sleep_until_the_way_is_free
     world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(100, 2), {.material = {.tangent_speed = 0.03f}});
     const BodyId stop = world.create_body({.type = BodyType::Static, .position = {1, 0.5f}}, box(1, 4), {.material = {.friction = 0}});
     const BodyId id = world.create_body({.position = {0, 0.5f}}, box(0.98f, 1));
-    steps(world, 600);
+    run_steps(world, 600);
     EXPECT_FALSE(world.body(id).is_awake());
     world.destroy_body(stop);
-    steps(world, 600);
+    run_steps(world, 600);
     EXPECT_NEAR(world.body(id).position().x, 0.01f + 0.3f, 0.01f);
 }
 
@@ -142,7 +142,7 @@ protected:
 TEST_P(SleepOfMotor, a_slow_one_keeps_its_bodies_awake)
 {
     world.create_joint(world.joint_at({}, id, {0, 0}), spec({.speed = 0.03f, .max_force = 1000}, {}));
-    steps(world, 600);
+    run_steps(world, 600);
     EXPECT_TRUE(world.body(id).is_awake());
     EXPECT_NEAR(moved(), 0.3f, 0.01f);
 }
@@ -154,7 +154,7 @@ TEST_P(SleepOfMotor, one_without_force_or_speed_does_not)
         World other({.gravity = {}});
         const BodyId body = other.create_body({}, box(1, 0.2f));
         other.create_joint(other.joint_at({}, body, {0, 0}), spec(motor, {}));
-        steps(other, 120);
+        run_steps(other, 120);
         EXPECT_FALSE(other.body(body).is_awake());
     }
 }
@@ -163,9 +163,9 @@ TEST_P(SleepOfMotor, one_that_has_come_to_its_limit_does_not)
 {
     if (GetParam() == 2) return; // a wheel turns without end
     world.create_joint(world.joint_at({}, id, {0, 0}), spec({.speed = 0.03f, .max_force = 1000}, Range{0, 0.06f}));
-    steps(world, 100);
+    run_steps(world, 100);
     EXPECT_TRUE(world.body(id).is_awake()) << "on its way";
-    steps(world, 300);
+    run_steps(world, 300);
     EXPECT_FALSE(world.body(id).is_awake());
     EXPECT_NEAR(moved(), 0.06f, 0.002f);
 }
@@ -179,11 +179,11 @@ TEST(SleepDrift, a_drive_on_the_way_to_its_target_stays_awake_and_sleeps_when_it
     const MotorJoint drive = {
         .offset = {0.5f, 0}, .angle = 1, .spring = {.hertz = 0.1f, .damping_ratio = 5}, .max_force = 1000, .max_torque = 1000};
     world.create_joint(world.joint_at({}, id, {0, 0}), drive);
-    steps(world, 600);
+    run_steps(world, 600);
     EXPECT_TRUE(world.body(id).is_awake());
     // omega / (2 zeta) = 0.063 a second: e^-0.63 is left after 10 s, but for the start from rest.
     EXPECT_NEAR(world.body(id).position().x, 0.5f * (1 - std::exp(-0.063f * 10)), 0.02f);
-    steps(world, 6000);
+    run_steps(world, 6000);
     EXPECT_FALSE(world.body(id).is_awake());
     EXPECT_NEAR(world.body(id).position().x, 0.5f, 0.01f);
     EXPECT_NEAR(world.body(id).angle(), 1, 0.01f);
@@ -195,7 +195,7 @@ TEST(SleepDrift, a_weight_that_hangs_from_a_mouse_joint_sleeps)
     const BodyId id = world.create_body({}, box(1, 1));
     const MouseJoint mouse = {.target = {0, 0.5f}, .spring = {.hertz = 1, .damping_ratio = 1}, .max_force = 1000};
     world.create_joint(world.joint_at({}, id, {0, 0.5f}), mouse);
-    steps(world, 1200);
+    run_steps(world, 1200);
     EXPECT_FALSE(world.body(id).is_awake());
 }
 
@@ -205,7 +205,7 @@ TEST(SleepDrift, a_kinematic_body_stays_awake_while_it_moves_however_slowly)
     const BodyId platform =
         world.create_body({.type = BodyType::Kinematic, .position = {0, -0.5f}, .linear_velocity = {0.001f, 0}}, box(4, 1));
     const BodyId load = world.create_body({.position = {0, 0.5f}}, box(1, 1));
-    steps(world, 1200);
+    run_steps(world, 1200);
     EXPECT_TRUE(world.body(platform).is_awake() && world.body(load).is_awake());
     EXPECT_NEAR(world.body(load).position().x, 0.02f, 0.001f);
 }

@@ -61,7 +61,7 @@ std::vector<Drop> drops(float restitution, int substeps)
     return all;
 }
 
-std::string text(const Drop& drop)
+std::string name_of_drop(const Drop& drop)
 {
     return (std::holds_alternative<Circle>(drop.geometry) ? "circle of " : "box of ") + std::to_string(drop.size) + " m at " +
            std::to_string(drop.rate) + " Hz, substeps " + std::to_string(drop.substeps);
@@ -75,12 +75,12 @@ TEST(Bounce, a_perfect_one_keeps_its_height_for_20_seconds_whatever_size_and_rat
         for (const Drop& drop : drops(1, substeps))
         {
             const std::vector<float> tops = tops_of(drop);
-            EXPECT_GE(tops.size(), 9u) << text(drop);
-            EXPECT_LE(tops.size(), 11u) << text(drop);
+            EXPECT_GE(tops.size(), 9u) << name_of_drop(drop);
+            EXPECT_LE(tops.size(), 11u) << name_of_drop(drop);
             for (const float top : tops)
             {
-                EXPECT_GT(top, 0.99f * 5) << text(drop);
-                EXPECT_LT(top, 1.0003f * 5) << "never more than it had: " << text(drop);
+                EXPECT_GT(top, 0.99f * 5) << name_of_drop(drop);
+                EXPECT_LT(top, 1.0003f * 5) << "never more than it had: " << name_of_drop(drop);
             }
         }
 }
@@ -91,10 +91,10 @@ TEST(Bounce, each_reaches_e_squared_of_the_height_before_whatever_size_and_rate)
         for (const Drop& drop : drops(e, 4))
         {
             const std::vector<float> tops = tops_of(drop);
-            ASSERT_GE(tops.size(), 3u) << text(drop);
+            ASSERT_GE(tops.size(), 3u) << name_of_drop(drop);
             float expected = 5;
             for (std::size_t i = 0; i < tops.size() && expected > 0.2f; ++i, expected *= e * e)
-                EXPECT_NEAR(tops[i], expected, 0.01f * expected) << "bounce " << i << " of " << e << ", " << text(drop);
+                EXPECT_NEAR(tops[i], expected, 0.01f * expected) << "bounce " << i << " of " << e << ", " << name_of_drop(drop);
         }
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 
 /// Whether a tower of boxes of 1 m still stands after 20 s.
-bool stands(int height, float dt, int substeps)
+bool tower_stands(int height, float dt, int substeps)
 {
     World world;
     world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(100, 2));
@@ -42,13 +42,13 @@ TEST(StepLength, towers_stand_in_the_documented_range)
                           {20, 1 / 60.0f, 4},
                           {20, 1 / 30.0f, 8},
                           {20, 0.05f, 16}})
-        EXPECT_TRUE(stands(c.height, c.dt, c.substeps)) << c.height << " boxes, " << c.dt << " s in " << c.substeps;
+        EXPECT_TRUE(tower_stands(c.height, c.dt, c.substeps)) << c.height << " boxes, " << c.dt << " s in " << c.substeps;
 }
 
 /// The step that the warning is about.
 TEST(StepLength, a_tower_of_ten_falls_where_the_report_warns)
 {
-    EXPECT_FALSE(stands(10, 0.1f, 4));
+    EXPECT_FALSE(tower_stands(10, 0.1f, 4));
     World world;
     EXPECT_TRUE(world.step(0.1f, 4).is_too_long);
 }

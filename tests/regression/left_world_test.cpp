@@ -1,4 +1,6 @@
 // A body that reaches the limit of the world is stopped there and reported; whatever took it there, its place is one that calls accept.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 bool is_in_world(Vec2 p) { return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate; }
 
