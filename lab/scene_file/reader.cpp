@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <concepts>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <type_traits>
@@ -393,8 +395,10 @@ std::string text_of(const std::filesystem::path& path)
 {
     std::error_code ignored;
     const bool is_folder = std::filesystem::is_directory(path, ignored); // a folder opens, but reading from it throws
+    errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file || is_folder) throw SceneFileError("can't read \"" + path.string() + "\"" + (is_folder ? ": it is a folder" : ""));
+    const char* const reason = is_folder ? "it is a folder" : std::strerror(errno);
+    if (!file || is_folder) throw SceneFileError("can't read \"" + path.string() + "\": " + reason);
     std::string text;
     std::vector<char> part(1 << 20);
     while (file.read(part.data(), static_cast<std::streamsize>(part.size())), file.gcount() > 0)

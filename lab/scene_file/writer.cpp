@@ -4,6 +4,8 @@
 #include "lab/scene_file/check.hpp"
 #include "lab/scene_file/json_values.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -87,10 +89,11 @@ std::string scene_file_text(const SceneFile& file)
 
 void write_scene_file(const std::filesystem::path& path, const SceneFile& file)
 {
+    errno = 0;
     std::ofstream out(path, std::ios::binary);
     if (out) write_scene_file(out, file);
     out.close();
-    if (!out) throw SceneFileError("can't write \"" + path.string() + "\"");
+    if (!out) throw SceneFileError("can't write \"" + path.string() + "\": " + std::strerror(errno));
 }
 
 } // namespace carom::lab
