@@ -1,6 +1,8 @@
 // Reads and writes what an engine told.
 #include "lab/engine_run.hpp"
 
+#include "files/input_file.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -15,6 +17,9 @@ using nlohmann::ordered_json;
 
 namespace
 {
+
+/// Bytes that are not UTF-8, as a path may have, are replaced.
+std::string text_of(const ordered_json& json) { return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace); }
 
 ordered_json json_of(const Sample& sample)
 {
@@ -62,6 +67,7 @@ EngineRun run_from(const ordered_json& json)
     json.at("version").get_to(run.version);
     json.at("differences").get_to(run.differences);
     json.at("step_ms").get_to(run.step_ms);
+    if (json.contains("scene")) json.at("scene").get_to(run.scene);
     if (json.contains("event_ms")) json.at("event_ms").get_to(run.event_ms);
     if (json.contains("draw_ms")) json.at("draw_ms").get_to(run.draw_ms);
     if (json.contains("ray_ms")) json.at("ray_ms").get_to(run.ray_ms);
@@ -85,6 +91,11 @@ std::vector<double> EngineRun::work_ms() const
     for (const std::vector<double>* more : {&event_ms, &ray_ms})
         for (std::size_t i = 0; i < more->size(); ++i) work[i] += (*more)[i];
     return work;
+}
+
+bool EngineRun::is_of(const std::filesystem::path& file) const
+{
+    return scene.empty() || scene == ordered_json::parse(text_of(file.string())).get<std::string>();
 }
 
 double EngineRun::mean_ms() const { return mean_of(work_ms()); }
@@ -117,19 +128,20 @@ std::string to_json(const EngineRun& run)
     ordered_json samples = ordered_json::array();
     for (const Sample& sample : run.samples) samples.push_back(json_of(sample));
     ordered_json json = {{"engine", run.engine}, {"version", run.version}, {"differences", run.differences}, {"step_ms", run.step_ms}};
+    if (!run.scene.empty()) json["scene"] = run.scene;
     if (!run.event_ms.empty()) json["event_ms"] = run.event_ms;
     if (!run.draw_ms.empty()) json["draw_ms"] = run.draw_ms;
     if (!run.ray_ms.empty()) json["ray_ms"] = run.ray_ms;
     if (run.ray_hits) json["ray_hits"] = *run.ray_hits;
     if (!run.counters.empty()) json["counters"] = run.counters;
     json["samples"] = samples;
-    return json.dump() + "\n";
+    return text_of(json) + "\n";
 }
 
 EngineRun read_run(const std::filesystem::path& file)
 {
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error("it wrote no " + file.filename().string());
+    if (!std::filesystem::exists(file)) throw std::runtime_error("it wrote no " + file.filename().string());
+    std::ifstream in = files::open_input(file);
     try
     {
         return run_from(ordered_json::parse(in));

@@ -5,8 +5,9 @@
 //     PROGRAM SCENE.json --threads N --samples K --out RESULT.json
 //
 // They make the scene, step it as often as its file says, time every step by itself, and write where the bodies are at K moments at equal
-// distances, the last one at the end. A step's time is that of the engine's own step alone; events and rays are timed by themselves. Exit status: 0
-// done, 3 the engine lacks something that the scene needs (said on standard error), anything else failed.
+// distances, the last one at the end. A step's time is that of the engine's own step alone; events and rays are timed by themselves. The result
+// names the scene as the command line did; a program that leaves the name out is believed. Exit status: 0 done, 3 the engine lacks something
+// that the scene needs (said on standard error), anything else failed.
 #pragma once
 
 #include <filesystem>
@@ -50,10 +51,13 @@ struct EngineRun
     std::optional<int> ray_hits = {};            ///< rays that met something after the last step
     std::vector<Sample> samples;                 ///< by step
     std::map<std::string, double> counters = {}; ///< what else an engine counts, by name; may be left out
+    std::string scene = {};                      ///< the file, as the command line named it; empty when the program does not tell
 
     /// What the scene asks of the engine in each step, which is what engines are compared by: the step, the events before it and the rays after it [ms].
     std::vector<double> work_ms() const;
     double mean_ms() const; ///< of the work
+    /// Whether it says that it is of that file, or does not say of which.
+    bool is_of(const std::filesystem::path& file) const;
     /// Of every step and the drawing of its picture [ms].
     std::vector<double> frame_ms() const;
     /// Of the work, means of `parts` equal parts of the run, or of every step when there are fewer.

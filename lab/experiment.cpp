@@ -1,11 +1,14 @@
 // Rounds of runs.
 #include "lab/experiment.hpp"
 
+#include "files/text.hpp"
 #include "lab/comparison.hpp"
+#include "lab/fingerprint.hpp"
 #include "lab/process.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 namespace carom::lab
@@ -39,7 +42,7 @@ void give_up(EngineResult& result, Outcome outcome, std::string reason)
 {
     while (!reason.empty() && reason.back() == '\n') reason.pop_back();
     result.outcome = outcome;
-    result.reason = std::move(reason);
+    result.reason = files::printable(reason);
     result.run_ms.clear();
 }
 
@@ -50,6 +53,14 @@ std::string last_line(const std::string& words)
     if (end == std::string::npos) return {};
     const std::size_t begin = words.find_last_of('\n', end);
     return words.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+/// @throws std::runtime_error when the run is not of that case
+void check(const EngineRun& run, const PlannedCase& one)
+{
+    if (!run.is_of(one.file)) throw std::runtime_error("its result is of the scene " + files::quoted(run.scene));
+    if (run.step_ms.size() != static_cast<std::size_t>(one.steps))
+        throw std::runtime_error("it made " + std::to_string(run.step_ms.size()) + " of " + std::to_string(one.steps) + " steps");
 }
 
 void run_once(const Plan& plan, const PlannedCase& one, const Engine& engine, Series& series)
@@ -73,6 +84,7 @@ void run_once(const Plan& plan, const PlannedCase& one, const Engine& engine, Se
     try
     {
         EngineRun run = read_run(out);
+        check(run, one);
         result.version = run.version;
         result.differences = run.differences;
         result.run_ms.push_back(run.mean_ms());
@@ -110,7 +122,8 @@ CaseResult finish(const PlannedCase& one, std::vector<Series>& all, const Evalua
                       .bodies = one.bodies,
                       .steps = one.steps,
                       .threads = one.threads,
-                      .engines = {}};
+                      .engines = {},
+                      .fingerprint = one.fingerprint};
     for (Series& series : all)
     {
         if (series.result.outcome == Outcome::Done)
@@ -137,38 +150,97 @@ std::vector<Series> start_series(const Plan& plan)
     return all;
 }
 
-} // namespace
-
-Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell,
-                       const std::function<void(const Results&)>& keep_part)
+/// What is finished of a plan, by the number of its case.
+class Finished
 {
-    std::filesystem::create_directories(plan.scratch);
-    Results results{.origin = origin_here(), .suite = plan.suite, .runs = plan.runs, .cases = {}};
-    const Stopwatch watch;
-    Progress progress;
-    progress.total = static_cast<int>(plan.cases.size() * plan.engines.size()) * plan.runs;
-    for (const PlannedCase& one : plan.cases)
+public:
+    explicit Finished(const Plan& plan)
+        : results_{.origin = origin_here(), .suite = plan.suite, .runs = plan.runs, .cases = {}, .engines = programs_of(plan.engines)},
+          cases_(plan.cases.size())
     {
-        std::vector<Series> all = start_series(plan);
-        for (int round = 0; round < plan.runs; ++round)
+        for (std::size_t i = 0; i < cases_.size(); ++i)
+            for (const CaseResult& one : plan.finished)
+                if (one.scene == plan.cases[i].scene && one.threads == plan.cases[i].threads) cases_[i] = one;
+    }
+
+    bool has(std::size_t i) const { return cases_[i].has_value(); }
+    void add(std::size_t i, CaseResult result) { cases_[i] = std::move(result); }
+    int open_cases() const { return static_cast<int>(std::count(cases_.begin(), cases_.end(), std::nullopt)); }
+    /// In the order of the plan.
+    Results results() const
+    {
+        Results results = results_;
+        for (const std::optional<CaseResult>& one : cases_)
+            if (one) results.cases.push_back(*one);
+        return results;
+    }
+
+private:
+    Results results_;
+    std::vector<std::optional<CaseResult>> cases_;
+};
+
+/// Runs the engines on one case after the other, and tells how it goes.
+class Rounds
+{
+public:
+    Rounds(const Plan& plan, int cases, const std::function<void(const Progress&)>& tell) : plan_(plan), tell_(tell)
+    {
+        progress_.total = cases * static_cast<int>(plan.engines.size()) * plan.runs;
+    }
+
+    void run(const PlannedCase& one, std::vector<Series>& all)
+    {
+        for (int round = 0; round < plan_.runs; ++round)
         {
             for (std::size_t place = 0; place < all.size(); ++place)
             {
                 // Whoever comes first finds the machine as the round before left it: everybody does, in turn.
                 const std::size_t turn = (place + static_cast<std::size_t>(round)) % all.size();
-                progress.now =
-                    one.scene + ", " + plan.engines[turn].name + ", run " + std::to_string(round + 1) + " of " + std::to_string(plan.runs);
-                if (tell) tell(progress);
-                if (all[turn].result.outcome == Outcome::Done) run_once(plan, one, plan.engines[turn], all[turn]);
-                if (plan.is_interrupted && plan.is_interrupted()) throw std::runtime_error("interrupted");
-                ++progress.done;
-                progress.seconds_left = watch.seconds() / progress.done * (progress.total - progress.done);
+                progress_.now = one.scene + ", " + plan_.engines[turn].name + ", run " + std::to_string(round + 1) + " of " +
+                                std::to_string(plan_.runs);
+                if (tell_) tell_(progress_);
+                if (all[turn].result.outcome == Outcome::Done) run_once(plan_, one, plan_.engines[turn], all[turn]);
+                if (plan_.is_interrupted && plan_.is_interrupted()) throw std::runtime_error("interrupted");
+                ++progress_.done;
+                progress_.seconds_left = watch_.seconds() / progress_.done * (progress_.total - progress_.done);
             }
         }
-        results.cases.push_back(finish(one, all, evaluate));
-        if (keep_part && &one != &plan.cases.back()) keep_part(results);
     }
-    return results;
+
+private:
+    const Plan& plan_;
+    const std::function<void(const Progress&)>& tell_;
+    const Stopwatch watch_;
+    Progress progress_;
+};
+
+} // namespace
+
+std::vector<EngineProgram> programs_of(const std::vector<Engine>& engines)
+{
+    std::vector<EngineProgram> programs;
+    for (const Engine& engine : engines)
+        programs.push_back(
+            {.name = engine.name, .fingerprint = engine.command.empty() ? std::string() : fingerprint_of_file(engine.command.front())});
+    return programs;
+}
+
+Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell,
+                       const std::function<void(const Results&)>& keep_part)
+{
+    std::filesystem::create_directories(plan.scratch);
+    Finished finished(plan);
+    Rounds rounds(plan, finished.open_cases(), tell);
+    for (std::size_t i = 0; i < plan.cases.size(); ++i)
+    {
+        if (finished.has(i)) continue;
+        std::vector<Series> all = start_series(plan);
+        rounds.run(plan.cases[i], all);
+        finished.add(i, finish(plan.cases[i], all, evaluate));
+        if (keep_part && finished.open_cases() > 0) keep_part(finished.results());
+    }
+    return finished.results();
 }
 
 } // namespace carom::lab

@@ -31,6 +31,7 @@ struct PlannedCase
     int threads = 1;
     int samples = 10; ///< moments at which engines tell where the bodies are
     std::filesystem::path file;
+    std::string fingerprint = {}; ///< of the file
 };
 
 struct Plan
@@ -38,6 +39,7 @@ struct Plan
     std::string suite;
     std::vector<PlannedCase> cases;
     std::vector<Engine> engines;
+    std::vector<CaseResult> finished = {};     ///< cases that were measured before and are not measured again
     int runs = 5;                              ///< rounds: in each every engine runs once
     double most_seconds = 600;                 ///< that a run may take
     std::filesystem::path scratch = {};        ///< a folder for the engines' results
@@ -58,11 +60,14 @@ struct Progress
 /// Names and values of what a run was good or bad at, from its samples.
 using Evaluator = std::function<std::map<std::string, double>(const PlannedCase&, const EngineRun&)>;
 
+/// The engines with the fingerprints of their programs.
+std::vector<EngineProgram> programs_of(const std::vector<Engine>& engines);
+
 /// Rounds over the engines, in another order each time. An engine that fails or can't is not asked again for that case; the others go on. The
 /// evaluator sees the last good run of each engine.
 /// @param tell      called before every run; what it throws ends the experiment
 /// @throws std::runtime_error when the plan is interrupted
-/// @param keep_part called with what is finished, after every case but the last
+/// @param keep_part called with all that is finished, after every case but the last
 Results run_experiment(const Plan& plan, const Evaluator& evaluate, const std::function<void(const Progress&)>& tell = {},
                        const std::function<void(const Results&)>& keep_part = {});
 

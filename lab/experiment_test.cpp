@@ -108,7 +108,7 @@ TEST_F(ExperimentTest, the_evaluator_sees_the_samples)
 
 TEST_F(ExperimentTest, what_is_finished_is_kept_when_it_is_ended)
 {
-    Plan two = plan({good("a", "1"), good("b", "1")}, 2);
+    Plan two = plan({good("a", "1,1"), good("b", "1,1")}, 2);
     two.cases.push_back(two.cases.front());
     two.cases.back().scene = "two";
     std::vector<std::size_t> kept;
@@ -134,8 +134,57 @@ TEST_F(ExperimentTest, the_work_of_a_step_holds_its_events_and_rays)
     EXPECT_EQ(result.ray_hits, 7);
 }
 
+TEST_F(ExperimentTest, a_result_of_another_scene_is_no_result)
+{
+    const auto of = [&](const std::string& scene)
+    { return R"(echo '{"engine":"x","version":"1","differences":[],"step_ms":[1,3],"samples":[],"scene":")" + scene + R"("}' > "$7")"; };
+    const Results results = run_experiment(
+        plan({engine("other", of("/tmp/two.json")), engine("right", of((folder_ / "one.json").string())), good("silent", "1,1")}, 1), {});
+    const CaseResult& one = results.cases.at(0);
+    EXPECT_EQ(one.find("other")->outcome, Outcome::Failed);
+    EXPECT_EQ(one.find("other")->reason, "its result is of the scene \"/tmp/two.json\"");
+    EXPECT_EQ(one.find("right")->outcome, Outcome::Done) << one.find("right")->reason;
+    EXPECT_EQ(one.find("silent")->outcome, Outcome::Done) << "peers of an older protocol do not tell";
+}
+
+TEST_F(ExperimentTest, what_an_engine_said_is_safe_to_print_and_to_store)
+{
+    const Results results = run_experiment(plan({engine("rude", "printf '\\033[2J\\377' >&2; exit 1")}, 1), {});
+    EXPECT_EQ(results.cases.at(0).find("rude")->reason, "exit status 1: \\x1b[2J\\xff");
+    EXPECT_EQ(to_json(results_from_json(to_json(results))), to_json(results));
+}
+
+TEST_F(ExperimentTest, what_was_measured_before_is_not_measured_again)
+{
+    Plan first = plan({good("a", "1,3")}, 2);
+    first.cases.push_back(first.cases.front());
+    first.cases.back().scene = "two";
+    first.cases.push_back(first.cases.front());
+    first.cases.back().threads = 2;
+    Results before = run_experiment(first, {});
+    EXPECT_EQ(order().size(), 6u);
+
+    Plan second = first;
+    second.finished = {before.cases[2], before.cases[0]};
+    std::vector<std::size_t> kept;
+    std::vector<int> totals;
+    const Results after = run_experiment(second, {}, [&](const Progress& progress) { totals.push_back(progress.total); },
+                                         [&](const Results& part) { kept.push_back(part.cases.size()); });
+    EXPECT_EQ(order().size(), 8u) << "the second case alone";
+    EXPECT_EQ(totals, (std::vector<int>{2, 2}));
+    ASSERT_EQ(after.cases.size(), 3u);
+    EXPECT_EQ(after.cases[0].scene, "one");
+    EXPECT_EQ(after.cases[1].scene, "two");
+    EXPECT_EQ(after.cases[2].threads, 2);
+    EXPECT_EQ(after.engines.at(0).name, "a");
+}
+
 TEST_F(ExperimentTest, times_that_are_not_one_a_step_are_nonsense)
 {
+    const Engine short_run = good("short", "1");
+    const Results of_one = run_experiment(plan({short_run}, 2), {});
+    EXPECT_EQ(of_one.cases.at(0).find("short")->outcome, Outcome::Failed);
+    EXPECT_EQ(of_one.cases.at(0).find("short")->reason, "it made 1 of 2 steps");
     const Engine liar =
         engine("liar", R"(echo '{"engine":"x","version":"1","differences":[],"step_ms":[1,3],"ray_ms":[1],"samples":[]}' > "$7")");
     const Results results = run_experiment(plan({liar}, 2), {});
@@ -145,7 +194,7 @@ TEST_F(ExperimentTest, times_that_are_not_one_a_step_are_nonsense)
 TEST_F(ExperimentTest, progress_goes_from_nothing_to_all)
 {
     std::vector<int> done;
-    run_experiment(plan({good("a", "1"), good("b", "1")}, 2), {}, [&](const Progress& progress)
+    run_experiment(plan({good("a", "1,1"), good("b", "1,1")}, 2), {}, [&](const Progress& progress)
     {
         EXPECT_EQ(progress.total, 4);
         done.push_back(progress.done);

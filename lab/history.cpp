@@ -1,6 +1,7 @@
 // Runs the collision scene with one broad phase after the other.
 #include "lab/history.hpp"
 
+#include "files/output_file.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/scene_file/writer.hpp"
 #include "lab/suites.hpp"
@@ -68,7 +69,7 @@ History run_history(const HistoryPlan& plan, const std::function<void(const Prog
     file.steps = plan.steps;
     std::filesystem::create_directories(plan.scratch);
     const std::filesystem::path path = plan.scratch / "collisions.json";
-    write_scene_file(path, file);
+    files::write_file("--out", path, scene_file_text(file));
 
     History history{.origin = origin_here(),
                     .scene = file.description,

@@ -115,6 +115,7 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
     EngineRun run;
     run.engine = "carom";
     run.version = CAROM_VERSION;
+    run.scene = name;
     if (options.threads > 1) run.differences.emplace_back("steps on one thread, however many are offered");
     if (options.broad_phase != BroadPhaseType::Tree)
         run.differences.push_back("finds pairs by the broad phase " + std::string(name_of(options.broad_phase)));

@@ -25,7 +25,7 @@ struct OwnRunOptions
 
 /// Steps the scene as often as it says. A step's time is the world's own: events, rays and drawing are not in it. Counts, as means of a step: pairs_tested,
 /// find_pairs_ms, allocations (over the second half, when the world no longer grows); and memory_bytes, the most that the world held.
-/// @param name of the file, for messages
+/// @param name of the file, for the result and for messages
 /// @throws SceneFileError when something in the file does not hold
 EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRunOptions& options = {});
 

@@ -1,6 +1,7 @@
 // Writes scripts for gnuplot and reads the pictures that it draws.
 #include "lab/plots.hpp"
 
+#include "files/output_file.hpp"
 #include "lab/process.hpp"
 #include "lab/table.hpp"
 
@@ -298,7 +299,7 @@ Plots draw_plots(const Report& report, const std::filesystem::path& scratch)
         const std::filesystem::path out = scratch / "plot.svg";
         std::error_code ignored;
         std::filesystem::remove(out, ignored);
-        std::ofstream(script) << script_of(drawing, out);
+        files::write_file("", script, script_of(drawing, out), {.is_durable = false});
         constexpr double patience = 30; // [s]
         const ProcessResult drawn = run_process({"gnuplot", script.string()}, patience);
         if (!drawn.is_started)

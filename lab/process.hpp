@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom::lab
@@ -16,10 +17,12 @@ struct ProcessResult
     std::string errors;      ///< what it wrote to its standard error: the last 4000 characters
 };
 
-/// Runs a program to its end. Its standard output goes nowhere.
+/// Runs a program to its end.
 /// @param command the program, looked for as a shell would, and its arguments
 /// @param seconds after which it is killed, > 0
 /// @param is_interrupted asked again and again; when it says so, the program is killed as if its time were over
-ProcessResult run_process(const std::vector<std::string>& command, double seconds, const std::function<bool()>& is_interrupted = {});
+/// @param on_output gets what the program writes to its standard output, part by part; empty: that goes nowhere
+ProcessResult run_process(const std::vector<std::string>& command, double seconds, const std::function<bool()>& is_interrupted = {},
+                          const std::function<void(std::string_view)>& on_output = {});
 
 } // namespace carom::lab

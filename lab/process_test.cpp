@@ -38,6 +38,18 @@ TEST(Process, that_nobody_waits_for_is_ended)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+TEST(Process, what_it_writes_is_handed_on)
+{
+    std::string written;
+    const ProcessResult done =
+        run_process({"sh", "-c", "seq 1 30000; echo said >&2"}, 20, {}, [&](std::string_view text) { written += text; });
+    EXPECT_EQ(done.status, 0);
+    EXPECT_EQ(done.errors, "said\n");
+    EXPECT_TRUE(written.starts_with("1\n2\n"));
+    EXPECT_TRUE(written.ends_with("30000\n"));
+    EXPECT_EQ(written.size(), 168894u);
+}
+
 TEST(Process, that_crashes_tells_the_signal) { EXPECT_EQ(run_process({"sh", "-c", "kill -SEGV $$"}, 10).status, 128 + 11); }
 
 TEST(Process, that_says_much_is_heard_to_its_end)

@@ -1,6 +1,9 @@
 // Results as JSON, and where they come from.
 #include "lab/results.hpp"
 
+#include "files/input_file.hpp"
+#include "files/output_file.hpp"
+#include "files/text.hpp"
 #include "lab/build_info.hpp"
 #include "lab/results_json.hpp"
 
@@ -11,7 +14,6 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <sys/utsname.h>
 #include <thread>
@@ -25,7 +27,6 @@ namespace
 {
 
 constexpr int format_version = 1;
-constexpr const char* file_name = "results.json";
 
 constexpr std::array outcome_names = {"done", "missing", "can't", "failed"};
 
@@ -49,8 +50,10 @@ ordered_json json_of(const CaseResult& c)
 {
     ordered_json engines = ordered_json::array();
     for (const EngineResult& engine : c.engines) engines.push_back(json_of(engine));
-    return {{"suite", c.suite}, {"scene", c.scene},     {"what", c.what},    {"bodies", c.bodies},
-            {"steps", c.steps}, {"threads", c.threads}, {"engines", engines}};
+    ordered_json json = {{"suite", c.suite}, {"scene", c.scene},     {"what", c.what},    {"bodies", c.bodies},
+                         {"steps", c.steps}, {"threads", c.threads}, {"engines", engines}};
+    if (!c.fingerprint.empty()) json["fingerprint"] = c.fingerprint;
+    return json;
 }
 
 Origin origin_from(const ordered_json& j)
@@ -86,6 +89,8 @@ CaseResult case_from(const ordered_json& j)
     j.at("steps").get_to(c.steps);
     j.at("threads").get_to(c.threads);
     for (const ordered_json& engine : j.at("engines")) c.engines.push_back(engine_from(engine));
+    c.fingerprint = j.value("fingerprint", "");
+    if (c.scene.empty()) throw std::runtime_error("a case does not say of which scene it is");
     return c;
 }
 
@@ -128,6 +133,26 @@ ordered_json json_of(const Origin& o)
 
 std::string name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
+std::string lack_of(const Results& results)
+{
+    const auto has = [](const CaseResult& one, Outcome outcome)
+    {
+        const auto is_it = [&](const EngineResult& engine) { return engine.outcome == outcome; };
+        return std::any_of(one.engines.begin(), one.engines.end(), is_it);
+    };
+    std::string lack;
+    bool has_any = false;
+    for (const CaseResult& one : results.cases)
+    {
+        const bool is_done = has(one, Outcome::Done);
+        has_any = has_any || is_done;
+        if (is_done || !has(one, Outcome::Failed)) continue;
+        lack += (lack.empty() ? "no engine finished " : "; ") + one.scene;
+        for (const EngineResult& engine : one.engines) lack += ", " + engine.engine + ": " + engine.reason;
+    }
+    return lack.empty() && !has_any ? "no engine finished any scene" : lack;
+}
+
 const EngineResult* CaseResult::find(const std::string& engine) const
 {
     const auto place = std::find_if(engines.begin(), engines.end(), [&](const EngineResult& e) { return e.engine == engine; });
@@ -138,12 +163,15 @@ std::string to_json(const Results& results)
 {
     ordered_json cases = ordered_json::array();
     for (const CaseResult& one : results.cases) cases.push_back(json_of(one));
+    ordered_json programs = ordered_json::array();
+    for (const EngineProgram& engine : results.engines) programs.push_back({{"name", engine.name}, {"fingerprint", engine.fingerprint}});
     const ordered_json json = {{"carom_results", format_version},
                                {"origin", json_of(results.origin)},
                                {"suite", results.suite},
                                {"runs", results.runs},
+                               {"engines", programs},
                                {"cases", cases}};
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n"; // what programs said need not be UTF-8
 }
 
 Results results_from_json(const std::string& text)
@@ -158,6 +186,8 @@ Results results_from_json(const std::string& text)
         json.at("suite").get_to(results.suite);
         json.at("runs").get_to(results.runs);
         for (const ordered_json& one : json.at("cases")) results.cases.push_back(case_from(one));
+        for (const ordered_json& one : json.value("engines", ordered_json::array()))
+            results.engines.push_back({.name = one.at("name"), .fingerprint = one.at("fingerprint")});
         return results;
     }
     catch (const nlohmann::json::exception& error)
@@ -170,31 +200,30 @@ void write_results(const Results& results, const std::filesystem::path& folder)
 {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    const std::filesystem::path file = folder / file_name;
-    const std::filesystem::path part = file.string() + ".part";
-    {
-        std::ofstream out(part);
-        out << to_json(results);
-        if (!out.flush()) throw std::runtime_error("can't write " + part.string());
-    }
-    std::filesystem::rename(part, file, error);
-    if (error) throw std::runtime_error("can't write " + file.string() + ": " + error.message());
+    if (error) throw std::runtime_error("can't make the folder " + files::quoted(folder) + ": " + error.message());
+    files::write_file("", folder / results_file_name, to_json(results));
 }
 
 Results read_results(const std::filesystem::path& folder)
 {
-    const std::filesystem::path file = folder / file_name;
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error("there is no " + file.string() + "; `carom lab run --out " + folder.string() + "` makes it");
-    std::ostringstream text;
-    text << in.rdbuf();
+    const std::filesystem::path file = folder / results_file_name;
+    constexpr std::size_t most_bytes = std::size_t{1} << 30;
+    std::string text;
     try
     {
-        return results_from_json(text.str());
+        text = files::read_text(file, most_bytes);
+    }
+    catch (const files::CannotRead& error)
+    {
+        throw std::runtime_error(std::string(error.what()) + "; `carom lab run --out DIR` writes results");
+    }
+    try
+    {
+        return results_from_json(text);
     }
     catch (const std::runtime_error& error)
     {
-        throw std::runtime_error(file.string() + ": " + error.what());
+        throw std::runtime_error(files::quoted(file) + ": " + error.what());
     }
 }
 

@@ -50,6 +50,13 @@ struct EngineResult
     std::map<std::string, double> quality;
 };
 
+/// What ran as an engine.
+struct EngineProgram
+{
+    std::string name;
+    std::string fingerprint; ///< of the program's bytes; empty when it is not installed
+};
+
 struct CaseResult
 {
     std::string suite = {}; ///< that the scene belongs to, also when it was measured as part of another one
@@ -59,6 +66,7 @@ struct CaseResult
     int steps = 0;
     int threads = 1;
     std::vector<EngineResult> engines;
+    std::string fingerprint = {}; ///< of the scene file; empty in results of older versions
 
     const EngineResult* find(const std::string& engine) const;
 };
@@ -69,7 +77,12 @@ struct Results
     std::string suite;
     int runs = 0; ///< rounds that were asked for
     std::vector<CaseResult> cases;
+    std::vector<EngineProgram> engines = {}; ///< in the order in which they were asked for; empty in results of older versions
 };
+
+/// Why the results are no measurement: the scenes on which some engine failed and none was done, with the reasons, or that no engine was
+/// done on any. Empty when they are one.
+std::string lack_of(const Results& results);
 
 /// "done", "missing", "can't", "failed".
 std::string name_of(Outcome outcome);
@@ -77,6 +90,9 @@ std::string name_of(Outcome outcome);
 std::string to_json(const Results& results);
 /// @throws std::runtime_error saying what is wrong with the text
 Results results_from_json(const std::string& text);
+
+/// Of the file of results in its folder.
+inline constexpr const char* results_file_name = "results.json";
 
 /// @throws std::runtime_error naming the file
 void write_results(const Results& results, const std::filesystem::path& folder);

@@ -64,6 +64,30 @@ TEST(Results, say_what_they_are_not)
     EXPECT_THROW(results_from_json(text), std::runtime_error);
 }
 
+TEST(Results, are_no_measurement_when_an_engine_failed_and_none_was_done)
+{
+    Results results = some_results();
+    EXPECT_EQ(lack_of(results), "") << "one is done";
+    results.cases.front().engines.front().outcome = Outcome::Failed;
+    results.cases.front().engines.front().reason = "exit status 1";
+    EXPECT_EQ(lack_of(results), "no engine finished pyramid, carom: exit status 1, other: has no pulleys");
+    results.cases.front().engines.front().outcome = Outcome::Missing;
+    EXPECT_EQ(lack_of(results), "no engine finished any scene");
+    results.cases.push_back(results.cases.front());
+    results.cases.back().engines.front().outcome = Outcome::Done;
+    EXPECT_EQ(lack_of(results), "") << "what engines lack is no failure";
+}
+
+TEST(Results, say_of_which_scene_and_of_what_programs_they_are)
+{
+    Results results = some_results();
+    results.engines = {{.name = "carom", .fingerprint = "0123456789abcdef"}};
+    results.cases.front().fingerprint = "fedcba9876543210";
+    EXPECT_EQ(to_json(results_from_json(to_json(results))), to_json(results));
+    results.cases.front().scene = "";
+    EXPECT_THROW(results_from_json(to_json(results)), std::runtime_error);
+}
+
 TEST(Results, name_the_machine)
 {
     const Origin here = origin_here();

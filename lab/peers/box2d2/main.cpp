@@ -1,4 +1,6 @@
 // Runs a scene file with Box2D 2.4: see lab/engine_run.hpp for the protocol.
+#include "files/output_file.hpp"
+#include "files/text.hpp"
 #include "lab/peers/box2d2/engine.hpp"
 #include "lab/sampling.hpp"
 #include "lab/scene_file/reader.hpp"
@@ -6,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <string>
 
 namespace
@@ -31,7 +32,9 @@ void run(const Arguments& arguments)
 {
     const SceneFile file = read_scene_file(arguments.scene);
     box2d2::require_features(file);
+    carom::files::OutputFile out("--out", arguments.out);
     EngineRun run;
+    run.scene = arguments.scene;
     run.engine = "box2d2";
     run.version = version();
     run.differences = box2d2::differences(file, arguments.threads);
@@ -45,9 +48,8 @@ void run(const Arguments& arguments)
         if (!file.rays.empty()) run.ray_ms.push_back(timed_ms([&] { run.ray_hits = engine.cast_rays(); }));
         if (is_sampled(step, file.steps, arguments.samples)) run.samples.push_back({step + 1, engine.bodies()});
     }
-    std::ofstream out(arguments.out);
-    out << to_json(run);
-    if (!out.flush()) throw std::runtime_error(arguments.out + ": can't be written");
+    out.stream() << to_json(run);
+    out.commit();
 }
 
 } // namespace
@@ -68,12 +70,13 @@ int main(int argc, char** argv)
     }
     catch (const box2d2::Lacking& lacking)
     {
-        std::fprintf(stderr, "carom-peer-box2d2: %s: the engine lacks %s\n", arguments.scene.c_str(), lacking.what());
+        std::fprintf(stderr, "carom-peer-box2d2: %s: the engine lacks %s\n", carom::files::printable(arguments.scene).c_str(),
+                     lacking.what());
         return status_can_not;
     }
     catch (const std::exception& error)
     {
-        std::fprintf(stderr, "carom-peer-box2d2: %s\n", error.what());
+        std::fprintf(stderr, "carom-peer-box2d2: %s\n", carom::files::printable(error.what()).c_str());
         return 1;
     }
 }

@@ -60,6 +60,8 @@ struct Sample {
 #[derive(Serialize)]
 struct RunResult {
     engine: String,
+    /// The file, as the command line named it.
+    scene: String,
     version: String,
     differences: Vec<String>,
     step_ms: Vec<f64>,
@@ -137,13 +139,14 @@ fn run<E: Engine>(arguments: &Arguments) -> Result<(), Stop> {
     if !lacking.is_empty() {
         return Err(Stop::Lacks(format!("{}: the engine lacks {}", arguments.scene, lacking.join(", "))));
     }
-    let result = Player::<E>::new(&scene, arguments.threads).and_then(|player| player.play(arguments.samples)).map_err(|stop| {
+    let mut result = Player::<E>::new(&scene, arguments.threads).and_then(|player| player.play(arguments.samples)).map_err(|stop| {
         let name = |what: String| format!("{}: {what}", arguments.scene);
         match stop {
             Stop::Lacks(what) => Stop::Lacks(name(what)),
             Stop::Wrong(what) => Stop::Wrong(name(what)),
         }
     })?;
+    result.scene.clone_from(&arguments.scene);
     let text = serde_json::to_string(&result).expect("a result is JSON");
     std::fs::write(&arguments.out, text + "\n").map_err(|error| Stop::Wrong(format!("{}: can't be written: {error}", arguments.out)))
 }
@@ -180,6 +183,7 @@ impl<'a, E: Engine> Player<'a, E> {
         let samples = samples.min(steps);
         let mut result = RunResult {
             engine: E::NAME.to_string(),
+            scene: String::new(),
             version: E::version(),
             differences: Vec::new(),
             step_ms: Vec::with_capacity(steps),
