@@ -2,6 +2,8 @@
 #include "cli/encoder.hpp"
 
 #include "cli/errors.hpp"
+#include "files/output_file.hpp"
+#include "files/text.hpp"
 #include "scenes/text.hpp"
 
 #include <array>
@@ -36,16 +38,6 @@ std::vector<std::string> format_options(AnimationFormat format)
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-f", "gif"};
 }
 
-/// Closes a file descriptor at the end of its scope.
-struct Descriptor
-{
-    int number = -1;
-    ~Descriptor()
-    {
-        if (number >= 0) ::close(number);
-    }
-};
-
 } // namespace
 
 AnimationFormat animation_format_of(const std::filesystem::path& path)
@@ -54,7 +46,8 @@ AnimationFormat animation_format_of(const std::filesystem::path& path)
     if (extension == ".mp4") return AnimationFormat::Mp4;
     if (extension == ".webm") return AnimationFormat::Webm;
     if (extension == ".gif") return AnimationFormat::Gif;
-    throw BadUsage("--animation: \"" + path.string() + "\" has an unknown format; give a name that ends in .mp4, .webm or .gif");
+    if (files::is_written_through(path)) return AnimationFormat::Webm; // the one of them that is made for streams
+    throw BadUsage("--animation: " + files::quoted(path) + " has an unknown format; give a name that ends in .mp4, .webm or .gif");
 }
 
 scenes::Viewport animation_size(AnimationFormat format)
@@ -63,13 +56,15 @@ scenes::Viewport animation_size(AnimationFormat format)
 }
 
 Encoder::Encoder(const std::filesystem::path& file, AnimationFormat format, scenes::Viewport size, double frames)
-    : messages_(std::tmpfile())
+    : file_(file),
+      format_(format),
+      messages_(std::tmpfile())
 {
     if (!messages_) throw Failure(std::string("can't make a temporary file: ") + std::strerror(errno));
     const std::string picture_size = std::to_string(size.width) + "x" + std::to_string(size.height);
     std::vector<std::string> command = {
-        "ffmpeg", "-hide_banner",         "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "bgr0", "-s", picture_size,
-        "-r",     std::to_string(frames), "-i",        "-"};
+        "ffmpeg", "-hide_banner",         "-xerror", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "bgr0", "-s", picture_size,
+        "-r",     std::to_string(frames), "-i",      "-"};
     for (std::string& option : format_options(format)) command.push_back(std::move(option));
     command.push_back("file:" + file.string()); // whatever the name looks like, it is a file
     start(command);
@@ -77,7 +72,7 @@ Encoder::Encoder(const std::filesystem::path& file, AnimationFormat format, scen
 
 Encoder::~Encoder()
 {
-    close_pipe();
+    pipe_.close();
     if (process_ < 0) return;
     ::kill(process_, SIGTERM);
     wait();
@@ -85,19 +80,18 @@ Encoder::~Encoder()
 
 void Encoder::start(const std::vector<std::string>& command)
 {
-    std::signal(SIGPIPE, SIG_IGN); // when ffmpeg ends early, write() is to say so rather than to end this process
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str())); // execvp's old signature; it only reads
     arguments.push_back(nullptr);
 
     std::array<int, 2> ends;
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Failure(std::string("can't make a pipe: ") + std::strerror(errno));
-    const Descriptor read_end{ends[0]};
-    pipe_ = ends[1];
+    const files::Descriptor read_end(ends[0]);
+    pipe_ = files::Descriptor(ends[1]);
 
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, read_end.number, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, read_end.number(), STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, ::fileno(messages_.get()), STDERR_FILENO);
     const int error = ::posix_spawnp(&process_, arguments[0], &files, nullptr, arguments.data(), environ);
@@ -105,7 +99,7 @@ void Encoder::start(const std::vector<std::string>& command)
     if (error == 0) return;
 
     process_ = -1;
-    close_pipe();
+    pipe_.close();
     if (error == ENOENT)
         throw Failure("ffmpeg was not found on the PATH; install it (the package is called ffmpeg), or leave out --animation");
     throw Failure(std::string("can't start ffmpeg: ") + std::strerror(error));
@@ -113,25 +107,17 @@ void Encoder::start(const std::vector<std::string>& command)
 
 void Encoder::add_frame(std::span<const std::byte> pixels)
 {
-    while (!pixels.empty())
-    {
-        const ssize_t written = ::write(pipe_, pixels.data(), pixels.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(); // ffmpeg has ended, and says why
-        pixels = pixels.subspan(static_cast<std::size_t>(written));
-    }
+    ++frames_;
+    if (const int error = files::write_all(pipe_.number(), pixels)) fail(std::strerror(error)); // ffmpeg has ended, and says why
 }
 
 void Encoder::finish()
 {
-    close_pipe();
-    if (wait() != 0) fail();
-}
-
-void Encoder::close_pipe()
-{
-    if (pipe_ >= 0) ::close(pipe_);
-    pipe_ = -1;
+    pipe_.close();
+    const int status = wait();
+    if (WIFSIGNALED(status)) fail(::strsignal(WTERMSIG(status)));
+    if (status != 0) fail("status " + std::to_string(WEXITSTATUS(status)));
+    if (const std::string problem = film_problem(file_, format_, frames_); !problem.empty()) fail(problem);
 }
 
 /// @return how the process ended; zero is well
@@ -145,16 +131,17 @@ int Encoder::wait()
     return status;
 }
 
-void Encoder::fail()
+/// @param why when ffmpeg itself says nothing
+void Encoder::fail(const std::string& why)
 {
-    close_pipe();
+    pipe_.close();
     if (process_ >= 0) wait();
     std::string said;
     std::array<char, 512> part;
     std::rewind(messages_.get());
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), messages_.get())) said.append(part.data(), count);
     while (!said.empty() && said.back() == '\n') said.pop_back();
-    throw Failure("ffmpeg failed" + (said.empty() ? "" : ": " + said));
+    throw Failure("--animation: ffmpeg failed: " + (said.empty() ? why : said));
 }
 
 } // namespace carom::cli

@@ -1,6 +1,8 @@
 // Turns pictures into an animation, by handing them to ffmpeg.
 #pragma once
 
+#include "cli/film_check.hpp"
+#include "files/descriptor.hpp"
 #include "scenes/camera.hpp"
 
 #include <cstddef>
@@ -15,14 +17,7 @@
 namespace carom::cli
 {
 
-enum class AnimationFormat
-{
-    Mp4,
-    Webm,
-    Gif
-};
-
-/// By the file's extension.
+/// By the file's extension. Standard output, a FIFO or a device without one of them gets WebM.
 /// @throws BadUsage when it is none of .mp4, .webm and .gif
 AnimationFormat animation_format_of(const std::filesystem::path& path);
 /// Size of a picture: small for gifs, which grow fast.
@@ -32,7 +27,7 @@ scenes::Viewport animation_size(AnimationFormat format);
 class Encoder
 {
 public:
-    /// @param file   is replaced
+    /// @param file   a regular file, which is overwritten
     /// @param frames a second
     /// @throws Failure when ffmpeg can't be started
     Encoder(const std::filesystem::path& file, AnimationFormat format, scenes::Viewport size, double frames);
@@ -43,7 +38,7 @@ public:
     /// @param pixels as Canvas::pixels() gives them
     /// @throws Failure with what ffmpeg said
     void add_frame(std::span<const std::byte> pixels);
-    /// Waits until the file is complete.
+    /// Waits until the file is complete, and checks that it holds every picture.
     /// @throws Failure with what ffmpeg said
     void finish();
 
@@ -54,13 +49,15 @@ private:
     };
 
     void start(const std::vector<std::string>& command);
-    void close_pipe();
     int wait();
-    [[noreturn]] void fail();
+    [[noreturn]] void fail(const std::string& why);
 
+    std::filesystem::path file_;
+    AnimationFormat format_;
     std::unique_ptr<std::FILE, CloseFile> messages_; ///< what ffmpeg says
-    int pipe_ = -1;
+    files::Descriptor pipe_;                         ///< to ffmpeg
     pid_t process_ = -1;
+    int frames_ = 0; ///< that it was given
 };
 
 } // namespace carom::cli

@@ -2,8 +2,9 @@
 #include "cli/export_command.hpp"
 
 #include "cli/errors.hpp"
-#include "cli/pending_file.hpp"
+#include "cli/outputs.hpp"
 #include "cli/scene_source.hpp"
+#include "files/text.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/scene_file/check.hpp"
 #include "lab/scene_file/schema.hpp"
@@ -11,7 +12,6 @@
 #include "scenes/text.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace carom::cli
@@ -81,14 +81,13 @@ void export_command(const ExportRequest& request, const Surroundings& surroundin
     const SceneSource source = SceneSource::find(request.scene);
     SceneFile file = source.scene_file(scenes::parsed_settings(source.info().parameters, request.settings), request.seed);
     if (request.steps) file.steps = *request.steps;
-    PendingFile pending("export", request.file);
-    std::ofstream out(pending.temporary(), std::ios::binary);
-    lab::write_scene_file(out, file);
-    out.close();
-    if (!out) throw Failure("can't write \"" + request.file + "\"");
-    pending.commit();
-    for (const std::string& note : file.notes) surroundings.err << "carom: " << request.file << ": " << note << "\n";
-    surroundings.out << request.file << ": " << contents_of(file) << "\n";
+    Outputs outputs(surroundings);
+    files::OutputFile& out = outputs.open("export", request.file);
+    lab::write_scene_file(out.stream(), file);
+    out.commit();
+    const std::string name = files::is_standard_output(request.file) ? request.scene : request.file;
+    for (const std::string& note : file.notes) surroundings.err << "carom: " << files::printable(name + ": " + note) << "\n";
+    outputs.words() << files::printable(name + ": " + contents_of(file)) << "\n";
 }
 
 } // namespace carom::cli

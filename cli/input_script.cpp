@@ -2,13 +2,13 @@
 #include "cli/input_script.hpp"
 
 #include "cli/errors.hpp"
+#include "files/input_file.hpp"
 #include "scenes/parameters.hpp"
 #include "scenes/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -190,18 +190,14 @@ private:
 
 InputScript InputScript::read(const std::filesystem::path& path, const scenes::SceneInfo& scene)
 {
-    std::error_code ignored;
-    const bool is_folder = std::filesystem::is_directory(path, ignored); // a folder opens, but reading from it throws
-    std::ifstream file(path, std::ios::binary);
-    if (!file || is_folder) throw BadUsage("--input: can't read \"" + path.string() + "\"" + (is_folder ? ": it is a folder" : ""));
-    std::string text;
-    std::array<char, 65536> part;
-    while (file.read(part.data(), part.size()), file.gcount() > 0)
+    try
     {
-        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-        if (text.size() > most_bytes) throw BadUsage("--input: \"" + path.string() + "\" is longer than 64 MiB; give fewer events");
+        return parse(files::read_text(path, most_bytes), path.string(), scene);
     }
-    return parse(text, path.string(), scene);
+    catch (const files::CannotRead& error)
+    {
+        throw BadUsage(std::string("--input: ") + error.what());
+    }
 }
 
 InputScript InputScript::parse(std::string_view text, const std::string& name, const scenes::SceneInfo& scene)

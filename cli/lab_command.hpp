@@ -16,8 +16,9 @@ struct LabRunRequest
     std::string engines = "carom,box2d3,rapier,box2d2,origin"; ///< names with commas between
     std::string threads = "1";                                 ///< numbers with commas between
     int runs = 5;
-    std::string out;   ///< a folder
-    std::string peers; ///< the folder of the peers' programs; empty for the one beside this build
+    std::string out;      ///< a folder
+    std::string peers;    ///< the folder of the peers' programs; empty for the one beside this build
+    bool resumes = false; ///< keeps what is finished in `out` and would be measured alike
 };
 
 struct LabReportRequest
@@ -75,6 +76,6 @@ void lab_history_command(const LabHistoryRequest& request, const Surroundings& s
 /// @throws Failure when the laboratory can't be trusted
 void lab_self_check_command(const LabSelfCheckRequest& request, const Surroundings& surroundings);
 /// Carom as an engine: what lab/engine_run.hpp tells of programs.
-void lab_step_command(const LabStepRequest& request);
+void lab_step_command(const LabStepRequest& request, const Surroundings& surroundings);
 
 } // namespace carom::cli

@@ -54,6 +54,7 @@ void add_run(CLI::App& lab, const Surroundings& surroundings)
     add_runs(*command, request->runs, "How often each engine runs each scene");
     command->add_option("--out", request->out, "Folder for results and reports")->type_name("DIR")->required();
     command->add_option("--peers", request->peers, "Folder of the peers' programs; by default build/peers/bin")->type_name("DIR");
+    command->add_flag("--resume", request->resumes, "Keep what DIR holds of the same build, machine and settings, and measure the rest");
     command->footer(suite_notes());
     command->callback([request, &surroundings] { lab_run_command(*request, surroundings); });
 }
@@ -123,7 +124,7 @@ void add_self_check(CLI::App& lab, const Surroundings& surroundings)
     command->callback([request, &surroundings] { lab_self_check_command(*request, surroundings); });
 }
 
-void add_step(CLI::App& lab)
+void add_step(CLI::App& lab, const Surroundings& surroundings)
 {
     CLI::App* const command = lab.add_subcommand("step", "Step a scene file as one of the engines: for programs");
     const auto request = std::make_shared<LabStepRequest>();
@@ -144,8 +145,8 @@ void add_step(CLI::App& lab)
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
-    command->add_option("--out", request->out, "The file to write")->type_name("RESULT.json")->required();
-    command->callback([request] { lab_step_command(*request); });
+    command->add_option("--out", request->out, "The file to write; - is standard output")->type_name("RESULT.json")->required();
+    command->callback([request, &surroundings] { lab_step_command(*request, surroundings); });
 }
 
 } // namespace
@@ -159,7 +160,7 @@ void add_lab_command(CLI::App& app, const Surroundings& surroundings)
     add_compare(*lab, surroundings);
     add_history(*lab, surroundings);
     add_self_check(*lab, surroundings);
-    add_step(*lab);
+    add_step(*lab, surroundings);
 }
 
 } // namespace carom::cli

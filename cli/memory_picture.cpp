@@ -1,7 +1,7 @@
 // One column of the chart is one pixel wide and shows the moment of its time at which most memory was in use.
 #include "cli/memory_picture.hpp"
 
-#include "cli/errors.hpp"
+#include "cli/png.hpp"
 #include "scenes/color.hpp"
 
 #include <algorithm>
@@ -176,11 +176,7 @@ public:
         cairo_move_to(context_.get(), x - align * box.x_advance, y);
         cairo_show_text(context_.get(), words.c_str());
     }
-    void write(const std::filesystem::path& path)
-    {
-        const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), path.c_str());
-        if (status != CAIRO_STATUS_SUCCESS) throw Failure("can't write the picture: " + std::string(cairo_status_to_string(status)));
-    }
+    void write(std::ostream& out) { write_png(surface_.get(), out); }
 
 private:
     struct Release
@@ -261,7 +257,7 @@ void draw_legend(Painter& painter, const Chart& chart)
 
 } // namespace
 
-void draw_memory(const lab::Trace& trace, const std::filesystem::path& path)
+void draw_memory(const lab::Trace& trace, std::ostream& out)
 {
     const Chart chart = make_chart(trace);
     const double scale = (bottom - top) / (1.08 * std::max(chart.peak, 8.0)); // pixels a byte
@@ -270,7 +266,7 @@ void draw_memory(const lab::Trace& trace, const std::filesystem::path& path)
     draw_bands(painter, chart, scale);
     draw_axes(painter, chart, scale);
     draw_legend(painter, chart);
-    painter.write(path);
+    painter.write(out);
 }
 
 } // namespace carom::cli

@@ -7,6 +7,8 @@
 #include "cli/run_command.hpp"
 #include "cli/scene_list.hpp"
 #include "cli/trace_command.hpp"
+#include "files/errors.hpp"
+#include "files/text.hpp"
 #include "lab/scene_file/model.hpp"
 #include "scenes/parameters.hpp"
 #include "scenes/scene.hpp"
@@ -44,6 +46,7 @@ pointer action at a place in the world in metres:
 Actions are down, up, move and wheel; buttons are left, middle and right. `carom scenes` lists each scene's keys.
 
 Times are those of the world's own steps. An animation is drawn in a run of its own and does not slow them down.
+A FILE to write may be -, standard output; the table then goes to standard error, and an animation is a WebM.
 Exit status: 0 done, 1 failed, 2 bad usage.)";
 
 /// Refuses what is not a whole number from `min` to `max`. CLI11 by itself takes -1 for the largest unsigned number.
@@ -116,7 +119,7 @@ void add_export_command(CLI::App& app, const Surroundings& surroundings)
     command->add_flag("--list", request->lists, "List the benchmark scenes of the laboratory, which are made for this");
     command->add_flag("--json", request->is_json, "Print the list as one JSON array");
     command->add_flag("--schema", request->schema, "Print the JSON Schema of scene files");
-    command->footer("docs/scene-files.md tells what is in a scene file.");
+    command->footer("FILE.json may be -, standard output. docs/scene-files.md tells what is in a scene file.");
     command->callback([request, &surroundings] { export_command(*request, surroundings); });
 }
 
@@ -125,7 +128,7 @@ void add_trace_command(CLI::App& app, const Surroundings& surroundings)
     CLI::App* const command = app.add_subcommand("trace", "Sum up a trace that `carom run --trace` wrote");
     const auto request = std::make_shared<TraceRequest>();
     command->add_option("trace", request->trace, "The trace: a JSON file in the trace-event format")->required()->type_name("FILE.json");
-    command->add_option("--memory", request->memory, "Draw the memory of each pool over time")->type_name("FILE.png");
+    command->add_option("--memory", request->memory, "Draw the memory of each pool over time; - is standard output")->type_name("FILE.png");
     command->callback([request, &surroundings] { trace_command(*request, surroundings); });
 }
 
@@ -143,7 +146,7 @@ std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const 
 
 int report(const Surroundings& surroundings, const std::exception& error, int status)
 {
-    surroundings.err << "carom: " << error.what() << "\n";
+    surroundings.err << "carom: " << files::printable(error.what()) << "\n";
     return status;
 }
 
@@ -180,6 +183,14 @@ int run_arguments(const std::vector<std::string>& arguments, const Surroundings&
         return report(surroundings, error, status_bad_usage);
     }
     catch (const lab::SceneFileError& error)
+    {
+        return report(surroundings, error, status_bad_usage);
+    }
+    catch (const files::BadTarget& error)
+    {
+        return report(surroundings, error, status_bad_usage);
+    }
+    catch (const files::CannotRead& error)
     {
         return report(surroundings, error, status_bad_usage);
     }

@@ -2,6 +2,7 @@
 #include "cli/render.hpp"
 
 #include "cli/errors.hpp"
+#include "cli/png.hpp"
 
 #include <cairo.h>
 #include <cmath>
@@ -213,10 +214,6 @@ std::span<const std::byte> Canvas::pixels()
     return {reinterpret_cast<const std::byte*>(cairo_image_surface_get_data(surface_.get())), bytes};
 }
 
-void Canvas::write_png(const std::filesystem::path& path)
-{
-    const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), path.c_str());
-    if (status != CAIRO_STATUS_SUCCESS) throw Failure("can't write the picture: " + std::string(cairo_status_to_string(status)));
-}
+void Canvas::write(std::ostream& out) { write_png(surface_.get(), out); }
 
 } // namespace carom::cli

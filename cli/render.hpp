@@ -5,8 +5,8 @@
 #include "scenes/draw_list.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
+#include <ostream>
 #include <span>
 
 struct _cairo;
@@ -33,8 +33,9 @@ public:
     void draw(const scenes::DrawList& list, const scenes::Camera& camera);
     /// Rows from the top; each pixel is blue, green, red, and a byte without meaning.
     std::span<const std::byte> pixels();
-    /// @throws Failure
-    void write_png(const std::filesystem::path& path);
+    /// As PNG. The stream goes bad when it takes no more bytes.
+    /// @throws Failure when there is no memory to encode it
+    void write(std::ostream& out);
 
 private:
     struct Release

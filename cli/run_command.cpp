@@ -4,13 +4,13 @@
 #include "cli/encoder.hpp"
 #include "cli/errors.hpp"
 #include "cli/input_script.hpp"
-#include "cli/pending_file.hpp"
+#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/render.hpp"
 #include "cli/run_report.hpp"
 #include "cli/scene_source.hpp"
+#include "files/text.hpp"
 #include "lab/runner.hpp"
-#include "scenes/text.hpp"
 
 #include <carom/profile.hpp>
 
@@ -42,8 +42,7 @@ scenes::ParameterValues all_values(const RunRequest& request, const SceneInfo& s
 void check_formats(const RunRequest& request)
 {
     if (request.animation) animation_format_of(*request.animation);
-    if (request.still && scenes::lower_case(std::filesystem::path(*request.still).extension().string()) != ".png")
-        throw BadUsage("--still: \"" + *request.still + "\" has an unknown format; give a name that ends in .png");
+    if (request.still) files::require_ending("--still", *request.still, ".png");
 }
 
 void check_profiler(const RunRequest& request)
@@ -56,18 +55,13 @@ void start_recording()
     if (const TraceResult result = start_trace(); !result) throw Failure("--trace: " + result.problem);
 }
 
-void write_recording(PendingFile& file, const Surroundings& surroundings)
+void write_recording(files::OutputFile& file, const Surroundings& surroundings)
 {
-    const TraceResult result = write_trace(file.temporary().string());
+    const TraceResult result = write_trace(file.scratch().string());
     if (!result) throw Failure("--trace: " + result.problem);
     file.commit();
     if (result.dropped > 0)
         surroundings.err << "carom: --trace: " << result.dropped << " events found no room and are not in the file; run fewer steps\n";
-}
-
-std::optional<PendingFile> pending(const char* option, const std::optional<std::string>& path)
-{
-    return path ? std::optional<PendingFile>(std::in_place, option, *path) : std::nullopt;
 }
 
 void draw(const Scene& scene, scenes::DrawList& list, Canvas& canvas)
@@ -99,13 +93,13 @@ struct Job
 
 /// Draws every step that a picture shows, so that it plays in real time.
 /// @return the hash of the world at the end
-std::uint64_t animate(Job& job, const PendingFile& file)
+std::uint64_t animate(Job& job, files::OutputFile& file)
 {
     const std::unique_ptr<Scene> scene = job.make();
     const AnimationFormat format = animation_format_of(file.path());
     const float step_rate = scene->parameters().real("step_rate");
     const int steps_per_frame = std::max(1, static_cast<int>(std::lround(step_rate / animation_rate)));
-    Encoder encoder(file.temporary(), format, animation_size(format), static_cast<double>(step_rate) / steps_per_frame);
+    Encoder encoder(file.scratch(), format, animation_size(format), static_cast<double>(step_rate) / steps_per_frame);
     Canvas canvas(animation_size(format));
     scenes::DrawList list;
 
@@ -148,9 +142,10 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
             Progress(surroundings.err, surroundings.err_is_terminal, passes * steps),
             surroundings};
     const std::unique_ptr<Scene> scene = job.make();
-    std::optional<PendingFile> still = pending("--still", request.still);
-    std::optional<PendingFile> animation = pending("--animation", request.animation);
-    std::optional<PendingFile> trace = pending("--trace", request.trace);
+    Outputs outputs(surroundings);
+    files::OutputFile* const still = outputs.open("--still", request.still);
+    files::OutputFile* const animation = outputs.open("--animation", request.animation);
+    files::OutputFile* const trace = outputs.open("--trace", request.trace);
 
     // The animation is drawn in a pass of its own, since drawing between the steps would slow them down.
     const std::uint64_t drawn_hash = animation ? animate(job, *animation) : 0;
@@ -164,7 +159,7 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
         Canvas canvas(still_size);
         scenes::DrawList list;
         draw(*scene, list, canvas);
-        canvas.write_png(still->temporary());
+        canvas.write(still->stream());
         still->commit();
     }
     if (animation) animation->commit();
@@ -172,7 +167,7 @@ void run_command(const RunRequest& request, const Surroundings& surroundings)
     if (const std::size_t late = job.input.count_from(steps); late > 0)
         surroundings.err << "carom: --input: " << late << " of " << job.input.size() << " events come after the last step, " << steps - 1
                          << ", and were not used; give more --steps\n";
-    surroundings.out << (request.is_json ? run_json(*scene, result).dump(2) + "\n" : run_table(*scene, result));
+    outputs.words() << (request.is_json ? run_json(*scene, result).dump(2) + "\n" : files::printable(run_table(*scene, result)));
 }
 
 } // namespace carom::cli

@@ -3,13 +3,11 @@
 
 #include "cli/errors.hpp"
 #include "cli/memory_picture.hpp"
-#include "cli/pending_file.hpp"
+#include "cli/outputs.hpp"
+#include "files/input_file.hpp"
+#include "files/text.hpp"
 #include "lab/trace.hpp"
-#include "scenes/text.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 namespace carom::cli
@@ -20,20 +18,19 @@ namespace
 
 lab::Trace read(const std::string& path)
 {
-    const auto refuse = [&](const std::string& why) { throw BadUsage("trace: can't read \"" + path + "\": " + why); };
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) refuse("it is a folder; give a file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse(std::strerror(errno));
     try
     {
+        std::ifstream file = files::open_input(path);
         return lab::read_trace(file);
+    }
+    catch (const files::CannotRead& error)
+    {
+        throw BadUsage(std::string("trace: ") + error.what());
     }
     catch (const lab::TraceError& error)
     {
-        refuse(error.what());
+        throw BadUsage("trace: can't read " + files::quoted(path) + ": " + error.what());
     }
-    return {};
 }
 
 std::string counted(std::size_t count, const std::string& thing) { return std::to_string(count) + " " + thing + (count == 1 ? "" : "s"); }
@@ -52,27 +49,27 @@ lab::Trace with_memory(lab::Trace trace, const std::string& path)
     const auto plot = trace.plots.find("bytes in use");
     if (trace.memory.empty() && plot != trace.plots.end()) trace.memory["bytes in use"] = plot->second;
     if (trace.memory.empty())
-        throw BadUsage("--memory: \"" + path + "\" tells nothing of memory; record one of a program that steps a world");
+        throw BadUsage("--memory: " + files::quoted(path) + " tells nothing of memory; record one of a program that steps a world");
     return trace;
-}
-
-void draw(const lab::Trace& trace, const std::string& path)
-{
-    PendingFile picture("--memory", path);
-    draw_memory(trace, picture.temporary());
-    picture.commit();
 }
 
 } // namespace
 
 void trace_command(const TraceRequest& request, const Surroundings& surroundings)
 {
-    if (request.memory && scenes::lower_case(std::filesystem::path(*request.memory).extension().string()) != ".png")
-        throw BadUsage("--memory: \"" + *request.memory + "\" has an unknown format; give a name that ends in .png");
+    if (request.memory) files::require_ending("--memory", *request.memory, ".png");
     const lab::Trace trace = read(request.trace);
-    if (trace.zones.empty()) throw BadUsage("trace: \"" + request.trace + "\" holds no zone; record one of a program that steps a world");
-    if (request.memory) draw(with_memory(trace, request.trace), *request.memory);
-    surroundings.out << summary(trace) << "\n" << lab::zone_table(trace);
+    if (trace.zones.empty())
+        throw BadUsage("trace: " + files::quoted(request.trace) + " holds no zone; record one of a program that steps a world");
+    Outputs outputs(surroundings);
+    if (request.memory)
+    {
+        const lab::Trace drawn = with_memory(trace, request.trace);
+        files::OutputFile& picture = outputs.open("--memory", *request.memory);
+        draw_memory(drawn, picture.stream());
+        picture.commit();
+    }
+    outputs.words() << files::printable(summary(trace) + "\n" + lab::zone_table(trace));
 }
 
 } // namespace carom::cli

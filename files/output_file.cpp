@@ -91,6 +91,20 @@ bool is_standard_output(const fs::path& path)
     return !S_ISDIR(target->st_mode) && is_same_file(*target, out);
 }
 
+bool is_written_through(const fs::path& path)
+{
+    const std::optional<Status> status = status_of(path);
+    return is_standard_output(path) || (status && !S_ISREG(status->st_mode) && !S_ISDIR(status->st_mode));
+}
+
+void require_ending(const std::string& option, const fs::path& path, const std::string& ending)
+{
+    std::string given = path.extension().native();
+    for (char& c : given) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (given == ending || is_written_through(path)) return;
+    throw BadTarget(option + ": " + quoted(path) + " has an unknown format; give a name that ends in " + ending);
+}
+
 OutputFile::Buffer::int_type OutputFile::Buffer::overflow(int_type c)
 {
     if (sync() != 0) return traits_type::eof();

@@ -32,6 +32,14 @@ namespace carom::files
 /// Whether an output goes to standard output: "-", or a path such as /dev/stdout that leads to the same file, pipe or terminal.
 bool is_standard_output(const std::filesystem::path& path);
 
+/// Refuses a name of a regular file, there or not, that does not fit its format. What is written through may have any name.
+/// @param ending of the format, lower case: ".png"
+/// @throws BadTarget naming the option and the ending
+void require_ending(const std::string& option, const std::filesystem::path& path, const std::string& ending);
+
+/// Whether the path leads to what is written through: standard output, a FIFO, a device, a socket.
+bool is_written_through(const std::filesystem::path& path);
+
 struct OutputOptions
 {
     std::ostream* standard_output = nullptr; ///< what "-" means; null for std::cout

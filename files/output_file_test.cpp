@@ -240,6 +240,24 @@ TEST_F(OutputFileTest, the_longest_name_of_a_file_can_be_written)
     EXPECT_EQ(contents(path), "new");
 }
 
+TEST_F(OutputFileTest, a_name_must_fit_the_format_when_it_names_a_regular_file)
+{
+    require_ending("--still", folder_ / "a.png", ".png");
+    require_ending("--still", folder_ / "a.PNG", ".png");
+    require_ending("--still", "-", ".png");
+    require_ending("--still", "/dev/null", ".png");
+    for (const char* name : {"a.jpg", "a", "a.png.txt", ".png"})
+        EXPECT_THROW(require_ending("--still", folder_ / name, ".png"), BadTarget) << name;
+    try
+    {
+        require_ending("--still", "a.jpg", ".png");
+    }
+    catch (const BadTarget& error)
+    {
+        EXPECT_STREQ(error.what(), "--still: \"a.jpg\" has an unknown format; give a name that ends in .png");
+    }
+}
+
 TEST_F(OutputFileTest, two_options_with_one_target_are_known)
 {
     const fs::path path = old_file("a.txt");

@@ -84,7 +84,7 @@ class Run(LabTest):
 
     def test_a_slower_engine_is_found(self):
         # Gives every step twice the time that it took.
-        self.peer("box2d3", f'{CAROM} lab step "$@" && sed -i -E \'s/"step_ms":\\[[^]]*\\]/"step_ms":[\'"$(seq -s, 300 600)"\']/\' "$7"')
+        self.peer("box2d3", f'{CAROM} lab step "$@" && sed -i -E \'s/"step_ms":\\[[^]]*\\]/"step_ms":[\'"$(seq -s, 301 600)"\']/\' "$7"')
         self.measure("stack_20", engines="carom,box2d3")
         engine = self.engines(json.loads(self.lab("report", self.out, "--json"))["cases"][0])["box2d3"]
         self.assertEqual(engine["outcome"], "done", engine.get("reason"))
@@ -107,6 +107,73 @@ class Run(LabTest):
         self.assertIn("interrupted", errors)
         report = json.loads(self.lab("report", self.out, "--json"))
         self.assertEqual([case["scene"] for case in report["cases"]], ["stack_20"])
+
+
+    def test_one_run_at_a_time_has_a_folder(self):
+        self.peer("box2d3", "touch started; sleep 60")
+        waiting = subprocess.Popen([CAROM, "lab", "run", "quick", "--scenes", "stack_20", "--engines", "box2d3", "--runs", "4", "--peers", self.peers,
+                                    "--out", self.out], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            deadline = time.monotonic() + 60
+            while not (self.folder / "started").exists() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            for command in (["run", "quick", "--scenes", "stack_20"], ["selfcheck"], ["history"], ["compare", CAROM, CAROM]):
+                with self.subTest(command):
+                    errors = self.lab(*command, "--out", self.out, status=2)
+                    self.assertIn(f"another run (process {waiting.pid}) writes its results there", errors)
+                    self.assertIn(str(self.out), errors)
+        finally:
+            waiting.kill()
+            waiting.wait()
+        self.peer("box2d3", f'exec {CAROM} lab step "$@"')
+        self.measure("stack_20", engines="box2d3")  # a killed run locks nobody out
+        self.assertEqual([path.name for path in self.out.iterdir() if path.name.startswith(".")], [], "and what it left is gone")
+
+    def test_a_scene_that_no_engine_finished_is_a_failure(self):
+        self.peer("box2d3", f'case "$1" in *tumbler*) echo "out of wood" >&2; exit 1;; esac; exec {CAROM} lab step "$@"')
+        arguments = ["run", "quick", "--scenes", "stack_20,tumbler", "--engines", "box2d3", "--runs", "4", "--peers", self.peers, "--out", self.out]
+        errors = self.lab(*arguments, status=1)
+        self.assertIn("no engine finished tumbler, box2d3: exit status 1: out of wood", errors)
+        self.assertIn("out of wood", (self.out / "report.md").read_text(encoding="utf-8"), "the report is written all the same")
+        self.assertIn("no engine finished any scene", self.lab("run", "quick", "--scenes", "stack_20", "--engines", "rapier", "--runs", "4",
+                                                               "--peers", self.peers, "--out", self.folder / "none", status=1))
+
+    def test_a_result_of_another_scene_is_refused(self):
+        self.peer("box2d3", f'{CAROM} lab step "$@" && sed -i \'s/"scene":"[^"]*"/"scene":"other.json"/\' "$7"')
+        text = self.measure("stack_20", engines="carom,box2d3")
+        self.assertIn('its result is of the scene "other.json"', text)
+
+    def test_resuming_keeps_what_is_finished_and_says_so(self):
+        self.peer("box2d3", f'echo "$1" >> {self.folder}/ran; case "$1" in *tumbler*) test -e {self.folder}/go || kill -INT $PPID;; esac; '
+                            f'exec {CAROM} lab step "$@"')
+        arguments = ["lab", "run", "quick", "--scenes", "stack_20,tumbler", "--engines", "box2d3", "--runs", "4", "--peers", self.peers,
+                     "--out", self.out]
+
+        def run(*more):
+            (self.folder / "ran").write_text("", encoding="utf-8")
+            done = subprocess.run([CAROM, *map(str, arguments), *more], capture_output=True, text=True, timeout=300, check=False)
+            return done, (self.folder / "ran").read_text(encoding="utf-8").count("\n")
+
+        done, _ = run("--resume")
+        self.assertIn("--resume: nothing is kept: there are no results", done.stderr)
+        self.assertNotEqual(done.returncode, 0)
+        (self.folder / "go").touch()
+        done, ran = run("--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--resume: kept 1 of 2: stack_20", done.stderr)
+        self.assertEqual(ran, 4, "the scene that was not finished, four times")
+        report = json.loads(self.lab("report", self.out, "--json"))
+        self.assertEqual([case["scene"] for case in report["cases"]], ["stack_20", "tumbler"])
+        done, ran = run("--resume")
+        self.assertIn("kept 2 of 2", done.stderr)
+        self.assertEqual(ran, 0)
+
+        arguments[arguments.index("4")] = "5"
+        before = (self.out / "results.json").read_text(encoding="utf-8")
+        done, ran = run("--resume")
+        self.assertIn('--resume: nothing is kept: the number of runs was "4" and is "5"', done.stderr)
+        self.assertEqual(ran, 10)
+        self.assertEqual((self.out / "results.previous.json").read_text(encoding="utf-8"), before)
 
 
 class SelfCheck(LabTest):
