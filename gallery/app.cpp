@@ -1,6 +1,8 @@
 // Frame by frame: events, steps, the picture, the panels.
 #include "gallery/app.hpp"
 
+#include "files/output_file.hpp"
+#include "files/text.hpp"
 #include "gallery/failure.hpp"
 #include "gallery/keys.hpp"
 #include "gallery/moment_words.hpp"
@@ -308,16 +310,20 @@ int run_gallery(const std::vector<std::string>& arguments, std::ostream& out, st
 {
     const auto report = [&err](const std::exception& error, int status)
     {
-        err << "carom-gallery: " << error.what() << "\n";
+        err << "carom-gallery: " << files::printable(error.what()) << "\n";
         return status;
     };
     try
     {
         const std::optional<Options> options = read_options(arguments, out);
-        if (!options) return 0;
-        App app(*options);
-        app.run();
-        if (options->frames > 0) app.report(out);
+        if (options)
+        {
+            App app(*options);
+            app.run();
+            const bool is_out_taken = files::is_standard_output(options->screenshot) || files::is_standard_output(options->widgets);
+            if (options->frames > 0) app.report(is_out_taken ? err : out);
+        }
+        if (!out.flush()) throw Failure("can't write the output");
         return 0;
     }
     catch (const BadUsage& error)

@@ -1,6 +1,7 @@
 // Reads the command line.
 #include "gallery/options.hpp"
 
+#include "files/output_file.hpp"
 #include "gallery/overlay_names.hpp"
 #include "gallery/tab_names.hpp"
 #include "scenes/registry.hpp"
@@ -24,6 +25,7 @@ constexpr int largest_window = 16384; // [points]
 const char* const notes = R"(
 With --frames every frame is 1/60 s of the scene, however long it took, so that equal runs give equal pictures; at the end
 the program prints what the parts of a frame took. Without a display, set SDL_VIDEODRIVER=offscreen.
+A FILE may be -, standard output; what the program prints then goes to standard error.
 
 Examples:
   carom-gallery
@@ -60,6 +62,19 @@ bool is_second(const std::string& option, const std::string& word, const std::st
 {
     if (word != first && word != second) throw BadUsage(option + ": \"" + word + "\" does not fit; give " + first + " or " + second);
     return word == second;
+}
+
+/// A picture is a PNG, whatever its name.
+void check_screenshot(const std::filesystem::path& path)
+{
+    try
+    {
+        if (!path.empty()) files::require_ending("--screenshot", path, ".png");
+    }
+    catch (const files::BadTarget& error)
+    {
+        throw BadUsage(error.what());
+    }
 }
 
 /// What is read by hand, since CLI11's own errors would say less.
@@ -151,6 +166,7 @@ std::optional<Options> read_options(const std::vector<std::string>& arguments, s
     }
     read_words(words, options);
     for (const std::string& name : options.shown) find_overlay(name); // refuses unknown ones before a window opens
+    check_screenshot(options.screenshot);
     if (!options.screenshot.empty() && options.frames == 0) options.frames = 120;
     if (options.inside >= 0 && options.frames == 0) throw BadUsage("--inside needs --frames");
     return options;

@@ -1,14 +1,14 @@
-// Cairo writes the file, under a temporary name beside its place.
+// Cairo encodes the picture into an output file.
 #include "gallery/picture.hpp"
 
+#include "files/output_file.hpp"
 #include "gallery/failure.hpp"
 
 #include <cairo.h>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <unistd.h>
 
 namespace carom::gallery
 {
@@ -21,38 +21,6 @@ struct DestroySurface
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
-
-/// A file that goes away unless it got its name.
-class TemporaryFile
-{
-public:
-    explicit TemporaryFile(const std::filesystem::path& goal)
-        : goal_(goal),
-          path_(goal.parent_path() / ("." + goal.filename().string() + "." + std::to_string(::getpid()) + ".part"))
-    {
-    }
-    ~TemporaryFile()
-    {
-        std::error_code ignored;
-        if (!path_.empty()) std::filesystem::remove(path_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-    void move_to_goal()
-    {
-        std::error_code error;
-        std::filesystem::rename(path_, goal_, error);
-        if (error) throw Failure("can't write \"" + goal_.string() + "\": " + error.message());
-        path_.clear();
-    }
-
-private:
-    std::filesystem::path goal_;
-    std::filesystem::path path_;
-};
 
 /// Cairo keeps a pixel as one number, 0x00rrggbb.
 void copy_rows(const Picture& picture, cairo_surface_t* surface)
@@ -73,6 +41,12 @@ void copy_rows(const Picture& picture, cairo_surface_t* surface)
     cairo_surface_mark_dirty(surface);
 }
 
+cairo_status_t write_bytes(void* out, const unsigned char* bytes, unsigned int count)
+{
+    std::ostream& stream = *static_cast<std::ostream*>(out);
+    return stream.write(reinterpret_cast<const char*>(bytes), count) ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
 } // namespace
 
 scenes::Color Picture::at(int x, int y) const
@@ -87,22 +61,24 @@ scenes::Color Picture::at(int x, int y) const
 
 void write_png(const Picture& picture, const std::filesystem::path& path)
 {
-    const auto check = [&](cairo_status_t status)
+    const auto check = [](cairo_status_t status)
     {
-        if (status != CAIRO_STATUS_SUCCESS) throw Failure("can't write \"" + path.string() + "\": " + cairo_status_to_string(status));
+        if (status != CAIRO_STATUS_SUCCESS) throw Failure(std::string("can't encode the picture: ") + cairo_status_to_string(status));
     };
-    std::error_code ignored;
-    if (!path.has_filename()) throw Failure("can't write \"" + path.string() + "\": give the name of a file");
-    if (std::filesystem::is_directory(path, ignored)) throw Failure("can't write \"" + path.string() + "\": it is a folder");
-    if (!path.parent_path().empty() && !std::filesystem::is_directory(path.parent_path(), ignored))
-        throw Failure("can't write \"" + path.string() + "\": there is no folder \"" + path.parent_path().string() + "\"");
-
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height));
-    check(cairo_surface_status(surface.get()));
-    copy_rows(picture, surface.get());
-    TemporaryFile file(path);
-    check(cairo_surface_write_to_png(surface.get(), file.path().c_str()));
-    file.move_to_goal();
+    try
+    {
+        files::OutputFile file("", path);
+        const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height));
+        check(cairo_surface_status(surface.get()));
+        copy_rows(picture, surface.get());
+        const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), write_bytes, &file.stream());
+        if (file.stream()) check(status); // or else commit() knows why
+        file.commit();
+    }
+    catch (const files::FileError& error)
+    {
+        throw Failure(error.what());
+    }
 }
 
 } // namespace carom::gallery

@@ -23,7 +23,8 @@ struct Picture
     scenes::Color at(int x, int y) const;
 };
 
-/// Writes the picture without its opacity. The file appears under its name only when it is complete; what was there before is replaced.
+/// Writes the picture without its opacity, as files::OutputFile does: an earlier file stays until the new one is complete; "-" is standard
+/// output.
 /// @throws Failure naming the path and the reason; then nothing has changed
 void write_png(const Picture& picture, const std::filesystem::path& path);
 

@@ -1,6 +1,7 @@
 // Files hold what the picture holds, and come whole or not at all.
 #include "gallery/picture.hpp"
 
+#include "files/testing.hpp"
 #include "gallery/failure.hpp"
 
 #include <cairo.h>
@@ -85,6 +86,21 @@ TEST_F(PictureTest, a_file_that_was_there_is_replaced)
     write_png(two_by_three, path);
     EXPECT_EQ(files(), 1);
     EXPECT_GT(fs::file_size(path), 20u);
+}
+
+TEST_F(PictureTest, a_full_disk_keeps_the_earlier_picture)
+{
+    fs::create_directory(folder_ / "disk");
+    const files::testing::SmallDisk disk(folder_ / "disk");
+    if (!disk.is_mounted()) GTEST_SKIP() << "only root can mount a small disk";
+    const fs::path path = folder_ / "disk" / "picture.png";
+    std::ofstream(path) << "old";
+    Picture noise{.width = 256, .height = 256};
+    unsigned state = 1;
+    for (int i = 0; i < 4 * 256 * 256; ++i) noise.rgba.push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
+    EXPECT_THROW(write_png(noise, path), Failure);
+    EXPECT_EQ(files::testing::contents(path), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "disk"), {}), 1);
 }
 
 TEST_F(PictureTest, a_place_that_can_not_be_written_is_named)

@@ -1,10 +1,10 @@
 // Notes and writes down where widgets lie.
 #include "gallery/widget_map.hpp"
 
+#include "files/output_file.hpp"
 #include "gallery/failure.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 
@@ -33,11 +33,14 @@ void WidgetMap::end_frame()
     for (const auto& [name, place] : places_) json[name] = {place.min.x, place.min.y, place.max.x, place.max.y};
     std::string text = json.dump();
     if (text == written_) return;
-    const std::filesystem::path part = file_.string() + ".part";
-    std::ofstream(part) << text;
-    std::error_code error;
-    std::filesystem::rename(part, file_, error);
-    if (error) throw Failure("can't write " + file_.string() + ": " + error.message());
+    try
+    {
+        files::write_file("--widgets", file_, text + "\n", {.is_durable = false});
+    }
+    catch (const files::FileError& error)
+    {
+        throw Failure(error.what());
+    }
     written_ = std::move(text);
 }
 

@@ -21,7 +21,9 @@ public:
     /// The widget that Dear ImGui laid out last, or as much of it as is in sight; one that is scrolled away is not noted.
     void note(const std::string& name);
     void note(const std::string& name, const Rect& place);
-    /// Writes a JSON object of names to [left, top, right, bottom] in points, when anything has moved, by replacing the file as a whole.
+    /// Writes a JSON object of names to [left, top, right, bottom] in points, when anything has moved: replaces a regular file as a
+    /// whole, and writes one line more to standard output, a FIFO or a device.
+    /// @throws Failure
     void end_frame();
 
 private:

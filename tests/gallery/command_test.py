@@ -36,6 +36,8 @@ class Refusals(unittest.TestCase):
             (["--theme", "pink", "dark", "light"], ["--theme", "pink"]),
             (["--seed", "-1"], ["--seed", "-1"]),
             (["--inside", "--frames"], ["--inside", "3"]),
+            (["--screenshot", "\"x.jpg\"", ".png"], ["--screenshot", "x.jpg"]),
+            (["\\x1b[31m"], ["--scene", "\x1b[31m"]),
             (["--nope", "--help"], ["--nope"]),
         ]:
             with self.subTest(arguments):
