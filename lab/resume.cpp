@@ -32,7 +32,7 @@ std::vector<Setting> settings_of(const Results& earlier, const Plan& plan, const
             {"number of runs", std::to_string(earlier.runs), std::to_string(plan.runs)}};
 }
 
-std::string quoted(const std::string& text) { return text.empty() ? "unknown" : "\"" + text + "\""; }
+std::string shown(const std::string& text) { return text.empty() ? "unknown" : "\"" + text + "\""; }
 
 std::string names_of(const std::vector<EngineProgram>& engines)
 {
@@ -46,10 +46,10 @@ std::string difference(const Results& earlier, const Plan& plan, const Origin& h
 {
     for (const Setting& setting : settings_of(earlier, plan, here))
         if (setting.before != setting.now)
-            return "the " + setting.name + " was " + quoted(setting.before) + " and is " + quoted(setting.now);
+            return "the " + setting.name + " was " + shown(setting.before) + " and is " + shown(setting.now);
     const std::vector<EngineProgram> engines = programs_of(plan.engines);
     if (names_of(earlier.engines) != names_of(engines))
-        return "the engines were " + quoted(names_of(earlier.engines)) + " and are " + quoted(names_of(engines));
+        return "the engines were " + shown(names_of(earlier.engines)) + " and are " + shown(names_of(engines));
     for (std::size_t i = 0; i < engines.size(); ++i)
         if (engines[i].fingerprint != earlier.engines[i].fingerprint)
             return "the program of the engine " + engines[i].name + " is another one";
