@@ -20,14 +20,14 @@ using nlohmann::json;
 namespace
 {
 
-struct Outcome
+struct Ended
 {
     int status;
     std::string out;
     std::string err;
 };
 
-Outcome carom(const std::vector<std::string>& arguments)
+Ended run_carom(const std::vector<std::string>& arguments)
 {
     std::ostringstream out;
     std::ostringstream err;
@@ -47,7 +47,7 @@ protected:
         return path(name);
     }
     /// Runs with a program of that name before all others.
-    Outcome carom_with(const std::string& program, const std::string& script, const std::vector<std::string>& arguments) const
+    Ended carom_with(const std::string& program, const std::string& script, const std::vector<std::string>& arguments) const
     {
         const std::filesystem::path bin = folder_ / "bin";
         std::filesystem::create_directory(bin);
@@ -55,14 +55,14 @@ protected:
         std::filesystem::permissions(bin / program, std::filesystem::perms::owner_all);
         const std::string before = getenv("PATH");
         setenv("PATH", (bin.string() + ":" + before).c_str(), 1);
-        const Outcome outcome = carom(arguments);
+        const Ended outcome = run_carom(arguments);
         setenv("PATH", before.c_str(), 1);
         std::filesystem::remove_all(bin);
         return outcome;
     }
     /// A run whose animation takes more than 8 KiB.
     static std::vector<std::string> animation(const std::string& file) { return {"run", "gravity", "--steps", "12", "--animation", file}; }
-    void expect_failed_film(const Outcome& outcome, const std::string& file)
+    void expect_failed_film(const Ended& outcome, const std::string& file)
     {
         EXPECT_EQ(outcome.status, 1) << file;
         EXPECT_EQ(outcome.out, "") << file;
@@ -79,7 +79,7 @@ TEST_F(OutputsTest, a_scene_is_exported_through_a_fifo)
 {
     ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
     std::future<std::string> reader = std::async(std::launch::async, [&] { return contents(path("fifo")); });
-    const Outcome outcome = carom({"export", "planets", path("fifo")});
+    const Ended outcome = run_carom({"export", "planets", path("fifo")});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(json::parse(reader.get())["carom_scene"], 1);
     EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
@@ -89,32 +89,32 @@ TEST_F(OutputsTest, a_scene_is_exported_to_where_a_link_leads)
 {
     old_file("real.json");
     std::filesystem::create_symlink("real.json", path("link.json"));
-    EXPECT_EQ(carom({"export", "planets", path("link.json")}).status, 0);
+    EXPECT_EQ(run_carom({"export", "planets", path("link.json")}).status, 0);
     EXPECT_TRUE(std::filesystem::is_symlink(path("link.json")));
     EXPECT_EQ(json::parse(contents(path("real.json")))["carom_scene"], 1);
 }
 
 TEST_F(OutputsTest, a_dash_is_standard_output_and_words_go_beside_it)
 {
-    const Outcome scene = carom({"export", "planets", "-", "--steps", "7"});
+    const Ended scene = run_carom({"export", "planets", "-", "--steps", "7"});
     EXPECT_EQ(scene.status, 0) << scene.err;
     EXPECT_EQ(json::parse(scene.out)["steps"], 7);
     EXPECT_NE(scene.err.find("planets: "), std::string::npos) << scene.err;
 
-    const Outcome still = carom({"run", "gravity", "--steps", "2", "--still", "-"});
+    const Ended still = run_carom({"run", "gravity", "--steps", "2", "--still", "-"});
     EXPECT_TRUE(still.out.starts_with("\x89PNG")) << still.err;
     EXPECT_TRUE(still.out.ends_with("IEND\xAE\x42\x60\x82"));
     EXPECT_NE(still.err.find("hash of the world"), std::string::npos);
 
-    ASSERT_EQ(carom({"export", "planets", path("p.json"), "--steps", "3"}).status, 0);
-    const Outcome step = carom({"lab", "step", path("p.json"), "--out", "-"});
+    ASSERT_EQ(run_carom({"export", "planets", path("p.json"), "--steps", "3"}).status, 0);
+    const Ended step = run_carom({"lab", "step", path("p.json"), "--out", "-"});
     EXPECT_EQ(json::parse(step.out)["step_ms"].size(), 3u);
     EXPECT_EQ(json::parse(step.out)["scene"], path("p.json"));
     EXPECT_FALSE(std::filesystem::exists("-"));
 
     std::ofstream(path("t.json")) << R"([{"ph":"X","tid":1,"name":"step","ts":0,"dur":100},
         {"ph":"C","name":"heap","cat":"memory","ts":0,"args":{"bytes":1000}}])";
-    const Outcome memory = carom({"trace", path("t.json"), "--memory", "-"});
+    const Ended memory = run_carom({"trace", path("t.json"), "--memory", "-"});
     EXPECT_TRUE(memory.out.starts_with("\x89PNG"));
     EXPECT_NE(memory.err.find("1 zone"), std::string::npos) << memory.err;
 }
@@ -122,7 +122,7 @@ TEST_F(OutputsTest, a_dash_is_standard_output_and_words_go_beside_it)
 TEST_F(OutputsTest, an_animation_goes_to_standard_output_whole)
 {
     if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-    const Outcome outcome = carom({"run", "gravity", "--steps", "8", "--animation", "-"});
+    const Ended outcome = run_carom({"run", "gravity", "--steps", "8", "--animation", "-"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(outcome.out.starts_with("\x1A\x45\xDF\xA3"));
     EXPECT_NE(outcome.out.find("webm"), std::string::npos);
@@ -130,9 +130,9 @@ TEST_F(OutputsTest, an_animation_goes_to_standard_output_whole)
 
 TEST_F(OutputsTest, two_options_can_not_have_one_file)
 {
-    const Outcome outcome = carom({"run", "gravity", "--steps", "2", "--still", path("a.png"), "--animation", "-", "--still", "-"});
+    const Ended outcome = run_carom({"run", "gravity", "--steps", "2", "--still", path("a.png"), "--animation", "-", "--still", "-"});
     EXPECT_EQ(outcome.status, 2);
-    const Outcome both = carom({"run", "gravity", "--steps", "2", "--still", "-", "--animation", "-"});
+    const Ended both = run_carom({"run", "gravity", "--steps", "2", "--still", "-", "--animation", "-"});
     EXPECT_EQ(both.status, 2);
     EXPECT_NE(both.err.find("--animation: another option writes \"-\" too"), std::string::npos) << both.err;
     EXPECT_EQ(both.out, "");
@@ -141,12 +141,12 @@ TEST_F(OutputsTest, two_options_can_not_have_one_file)
 TEST_F(OutputsTest, a_full_disk_fails_every_output_and_keeps_the_earlier_file)
 {
     std::filesystem::create_directory(folder_ / "disk");
-    ASSERT_EQ(carom({"export", "collisions", path("scene.json"), "--steps", "100"}).status, 0);
+    ASSERT_EQ(run_carom({"export", "collisions", path("scene.json"), "--steps", "100"}).status, 0);
     const files::testing::SmallDisk disk(folder_ / "disk");
     if (!disk.is_mounted()) GTEST_SKIP() << "only root can mount a small disk";
     const auto refused = [&](const std::vector<std::string>& arguments)
     {
-        const Outcome outcome = carom(arguments);
+        const Ended outcome = run_carom(arguments);
         EXPECT_EQ(outcome.status, 1) << arguments.front();
         EXPECT_NE(outcome.err.find("No space left on device"), std::string::npos) << outcome.err;
         EXPECT_EQ(outcome.out, "");
@@ -158,7 +158,7 @@ TEST_F(OutputsTest, a_full_disk_fails_every_output_and_keeps_the_earlier_file)
     if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
     std::ofstream(path("disk/ballast")) << std::string(44 << 10, 'b'); // short films are enough then
     for (const char* name : {"film.webm", "film.mp4", "film.gif"})
-        expect_failed_film(carom(animation(old_file(std::string("disk/") + name))), path(std::string("disk/") + name));
+        expect_failed_film(run_carom(animation(old_file(std::string("disk/") + name))), path(std::string("disk/") + name));
     int files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_ / "disk")) ++files;
     EXPECT_EQ(files, 5) << "no temporary file stays";
@@ -171,7 +171,7 @@ TEST_F(OutputsTest, a_limit_on_the_size_of_files_fails_an_animation)
     {
         const std::string file = old_file(name);
         const files::testing::FileSizeLimit limit(8 << 10);
-        expect_failed_film(carom(animation(file)), file);
+        expect_failed_film(run_carom(animation(file)), file);
     }
 }
 
@@ -211,15 +211,15 @@ TEST_F(OutputsTest, messages_obey_no_name)
                                                             {"lab", "report", name}};
     for (const std::vector<std::string>& command : commands)
     {
-        const Outcome outcome = carom(command);
+        const Ended outcome = run_carom(command);
         const std::string all = outcome.out + outcome.err;
         EXPECT_NE(all, "");
         EXPECT_EQ(all.find('\x1b'), std::string::npos) << command[0] << ": " << all;
         EXPECT_EQ(all.find('\xff'), std::string::npos) << command[0];
         EXPECT_EQ(all.find("\xC2\x9B"), std::string::npos) << command[0] << ": " << all;
     }
-    EXPECT_EQ(carom({"run", name}).status, 0);
-    EXPECT_NE(carom({"run", name}).out.find("\\x1b]0;title\\x07\\u009b31m"), std::string::npos);
+    EXPECT_EQ(run_carom({"run", name}).status, 0);
+    EXPECT_NE(run_carom({"run", name}).out.find("\\x1b]0;title\\x07\\u009b31m"), std::string::npos);
 }
 
 TEST_F(OutputsTest, a_file_that_can_not_be_read_says_why)
@@ -230,7 +230,7 @@ TEST_F(OutputsTest, a_file_that_can_not_be_read_says_why)
                                                                                          {"lab", "report", path("none.json")},
                                                                                          {"lab", "step", path("none.json"), "--out", "-"}})
     {
-        const Outcome outcome = carom(command);
+        const Ended outcome = run_carom(command);
         EXPECT_EQ(outcome.status, 2) << command[0];
         EXPECT_NE(outcome.err.find("No such file or directory"), std::string::npos) << outcome.err;
     }
@@ -240,7 +240,7 @@ TEST_F(OutputsTest, a_file_that_can_not_be_read_says_why)
     for (const std::vector<std::string>& command :
          std::vector<std::vector<std::string>>{{"run", secret}, {"run", "gravity", "--input", secret}, {"trace", secret}})
     {
-        const Outcome outcome = carom(command);
+        const Ended outcome = run_carom(command);
         EXPECT_EQ(outcome.status, 2) << command[0];
         EXPECT_NE(outcome.err.find("Permission denied"), std::string::npos) << outcome.err;
     }

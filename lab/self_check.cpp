@@ -32,7 +32,7 @@ Comparison compare_with_itself(const SelfCheckPlan& plan, double slowdown, Origi
     return compare(sides[0].run_ms, sides[1].run_ms);
 }
 
-std::vector<std::string> row_of(const std::string& name, const Comparison& c)
+std::vector<std::string> comparison_row(const std::string& name, const Comparison& c)
 {
     return {name,
             number_text(c.median_a),
@@ -84,9 +84,9 @@ SelfCheck run_self_check(const SelfCheckPlan& plan, const std::function<void(con
 std::string self_check_text(const SelfCheck& check)
 {
     Table table({"try", "A ms", "B ms", "B / A", "95% interval", "Mann-Whitney p", "Student p", "Welch p", "B is"});
-    for (std::size_t i = 0; i < check.same.size(); ++i) table.add(row_of(std::to_string(i + 1), check.same[i]));
+    for (std::size_t i = 0; i < check.same.size(); ++i) table.add(comparison_row(std::to_string(i + 1), check.same[i]));
     const std::string percent = number_text(100 * check.plan.slowdown, 2) + "%";
-    table.add(row_of("B slowed by " + percent, check.planted));
+    table.add(comparison_row("B slowed by " + percent, check.planted));
     const bool is_found = check.planted.verdict == Verdict::Slower;
     return origin_line(check.origin, "selfcheck on " + check.plan.scene.scene, check.plan.runs) + "\n\n" + table.text() +
            "\nThe same program against itself: a difference in " + std::to_string(check.false_alarms()) + " of " +
