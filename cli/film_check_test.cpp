@@ -13,14 +13,14 @@ namespace carom::cli
 namespace
 {
 
-constexpr scenes::Viewport size{64, 48};
+constexpr scenes::Viewport film_size{64, 48};
 constexpr int pictures = 5;
 
 /// Noise, so that every picture takes bytes.
 void make_film(const std::filesystem::path& file, AnimationFormat format)
 {
-    Encoder encoder(file, format, size, 30);
-    std::vector<std::byte> pixels(std::size_t{4} * size.width * size.height);
+    Encoder encoder(file, format, film_size, 30);
+    std::vector<std::byte> pixels(std::size_t{4} * film_size.width * film_size.height);
     unsigned noise = 1;
     for (int i = 0; i < pictures; ++i)
     {
