@@ -45,8 +45,7 @@ std::string names_of(const std::vector<EngineProgram>& engines)
 std::string difference(const Results& earlier, const Plan& plan, const Origin& here)
 {
     for (const Setting& setting : settings_of(earlier, plan, here))
-        if (setting.before != setting.now)
-            return "the " + setting.name + " was " + shown(setting.before) + " and is " + shown(setting.now);
+        if (setting.before != setting.now) return "the " + setting.name + " was " + shown(setting.before) + " and is " + shown(setting.now);
     const std::vector<EngineProgram> engines = programs_of(plan.engines);
     if (names_of(earlier.engines) != names_of(engines))
         return "the engines were " + shown(names_of(earlier.engines)) + " and are " + shown(names_of(engines));
