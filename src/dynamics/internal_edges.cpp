@@ -58,6 +58,7 @@ struct Surroundings
     ConvexPoints slider;
     Vec2 slider_middle;
     bool tile_is_b = false;
+    bool is_one_sided = false; ///< the tile: its face 1 is nothing to S
     std::array<ConvexPoints, most_neighbors> neighbors;
     std::size_t neighbor_count = 0;
 };
@@ -264,17 +265,49 @@ bool goes_on_flat(const Surroundings& near, const Edge& face, Vec2 normal)
     return true;
 }
 
+/// Whether a neighbour T' supports S across a convex corner of the surface. The corner is convex when T and T' lie behind each other's
+/// faces. T' supports S when S lies over its face and is less deep behind that face than behind T's. Over T's face, S would be pushed
+/// off T' by its whole overhang.
+///
+///       ____S___
+///      |________|
+///     ___T'___         T is the wall, T' the top of the ledge. Where T' rises in front of T, the corner is concave, and S rests on both.
+///             | T
+///             |
+bool is_supported_by_neighbor(const Surroundings& near, int face, float separation)
+{
+    for (std::size_t i = 0; i < near.neighbor_count; ++i)
+    {
+        const ConvexPoints& other = near.neighbors[i];
+        if (!is_behind(other, near.tile, face)) continue;
+        for (int other_face = 0; other_face < face_count(other); ++other_face)
+        {
+            const Edge support = face_of(other, other_face);
+            const bool is_in_front = dot(normal_of(support), near.slider_middle - support.v1) > 0;
+            if (!is_in_front || !is_behind(near.tile, other, other_face)) continue;
+            const FaceContact contact = collide_on_face(other, other_face, near.slider, 0, near.tile_is_b, speculative_distance);
+            if (contact.manifold.count == 0 || contact.face_separation <= separation + step_height) continue;
+            Surroundings seen_from_other = near;
+            seen_from_other.tile = other;
+            seen_from_other.neighbors[i] = near.tile;
+            if (!is_seam(seen_from_other, other_face, contact.manifold)) return true;
+        }
+    }
+    return false;
+}
+
 /// The contact with the face of T that separates best of those that are no seam; without points unless S is over that face with its
-/// deepest point, or is but slightly tilted against it.
+/// deepest point, or is but slightly tilted against it; without points too when a neighbour supports S across a corner.
 LocalManifold second_choice(const Surroundings& near, Vec2 outward, int seam)
 {
     FaceContact best;
     float best_separation = -std::numeric_limits<float>::max();
     bool is_best_flat = false;
     Vec2 best_normal;
+    int best_face = -1;
     for (int face = 0; face < face_count(near.tile); ++face)
     {
-        if (face == seam) continue;
+        if (face == seam || (face == 1 && near.is_one_sided)) continue;
         const Edge edge = face_of(near.tile, face);
         const Vec2 normal = normal_of(edge);
         const bool is_flat = goes_on_flat(near, edge, normal);
@@ -285,11 +318,13 @@ LocalManifold second_choice(const Surroundings& near, Vec2 outward, int seam)
         best = contact;
         best_separation = contact.face_separation;
         best_normal = normal;
+        best_face = face;
         is_best_flat = is_flat;
     }
     const bool is_deepest = best.point_separation - best.face_separation <= deepest_within;
     const bool is_tilted = seam < 0 && is_best_flat && dot(best_normal, outward) > 0 && std::abs(cross(best_normal, outward)) <= small_tilt;
-    return is_deepest || is_tilted ? best.manifold : LocalManifold{};
+    if ((!is_deepest && !is_tilted) || best.manifold.count == 0) return {};
+    return is_supported_by_neighbor(near, best_face, best_separation) ? LocalManifold{} : best.manifold;
 }
 
 /// A tip that has slipped into a real gap and finds no face to stand on keeps the corners that hold it.
@@ -355,6 +390,7 @@ LocalManifold judge_side(const LocalManifold& manifold, const Contact& contact, 
     near.slider = seen(roles.slider, roles.slider_body);
     near.slider_middle = middle_of(near.slider);
     near.tile_is_b = tile_is_b;
+    near.is_one_sided = shapes.records[roles.tile].is_one_sided;
     const Aabb reach = expanded(shapes.bounds[roles.slider].tight, speculative_distance + seen_around);
     for_each_neighbor(bodies, shapes, contacts, roles, middle, [&](std::uint32_t shape, std::uint32_t body)
     {

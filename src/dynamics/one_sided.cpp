@@ -1,9 +1,11 @@
-// Whoever has its middle behind the segment is on its way through, and stays so until it is in front and clear.
+// A shape S whose middle is behind the segment passes through it. It goes on passing until its middle is in front and S is clear of the
+// segment. What does not pass is pushed forwards or along the segment, never backwards.
 #include "dynamics/one_sided.hpp"
 
 #include "geometry/surface.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace carom::detail
 {
@@ -19,26 +21,53 @@ bool is_clear(const LocalManifold& manifold)
 }
 
 /// @param other in the segment's frame
-bool is_behind(const ConvexPoints& segment, const ConvexPoints& other)
+bool has_middle_behind(const ConvexPoints& segment, const ConvexPoints& other)
 {
     const Edge face = face_of(segment, 0); // its normal is to the right
     return dot(normal_of(face), middle_of(other) - face.v1) < 0;
 }
 
-/// The contact of a one-sided segment with what is before it, in the segment's frame.
+/// The contact that pushes S along the segment and off one of its ends.
+/// @param end 0: the segment's first point, 1: the second
+LocalManifold push_off_end(const ConvexPoints& segment, std::size_t end, const ConvexPoints& other, bool segment_is_b)
+{
+    const Vec2 corner = segment.points[end];
+    const Vec2 outward = normalize(corner - segment.points[1 - end]);
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < static_cast<std::size_t>(other.count); ++i)
+    {
+        if (dot(outward, other.points[i] - other.points[farthest]) < 0) farthest = i;
+    }
+    const float separation = dot(outward, other.points[farthest] - corner) - other.radius;
+    const auto [index, other_index] = std::pair(static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(farthest));
+    LocalManifold manifold;
+    if (separation > speculative_distance) return manifold;
+    manifold.normal = segment_is_b ? -outward : outward;
+    manifold.count = 1;
+    manifold.points[0] = {corner + 0.5f * separation * outward, separation,
+                          segment_is_b ? feature_of(other_index, index) : feature_of(index, other_index)};
+    return manifold;
+}
+
+/// The contact of a one-sided segment with a shape S in front of it, in the segment's frame. Where the least overlap would push S backwards,
+/// S is pushed over the front or off the end, whichever takes less.
 LocalManifold front_only(const LocalManifold& manifold, Contact& contact, const ConvexPoints& segment, const ConvexPoints& other,
                          bool segment_is_b)
 {
     const Vec2 front = normal_of(face_of(segment, 0));
-    if (is_behind(segment, other))
+    if (has_middle_behind(segment, other))
         contact.is_passing = true;
     else if (is_clear(manifold))
         contact.is_passing = false;
     if (contact.is_passing || manifold.count == 0) return {};
 
-    const float forwards = dot(front, segment_is_b ? -manifold.normal : manifold.normal);
-    if (forwards > 0) return manifold;
-    return collide_on_face(segment, 0, other, 0, segment_is_b, speculative_distance).manifold;
+    const Vec2 outward = segment_is_b ? -manifold.normal : manifold.normal;
+    if (dot(front, outward) > 0) return manifold;
+    const FaceContact over_front = collide_on_face(segment, 0, other, 0, segment_is_b, speculative_distance);
+    const std::size_t end = dot(outward, segment.points[1] - segment.points[0]) > 0 ? 1 : 0;
+    const LocalManifold over_end = push_off_end(segment, end, other, segment_is_b);
+    const bool is_end_better = over_end.count == 0 || over_end.points[0].separation > over_front.face_separation;
+    return is_end_better ? over_end : over_front.manifold;
 }
 
 } // namespace
@@ -65,7 +94,7 @@ bool comes_from_behind(const ShapeStore& shapes, std::uint32_t shape_a, std::uin
     if (!a_is_one_sided && !shapes.records[shape_b].is_one_sided) return false;
     const ConvexPoints a = convex_points(shapes.geometry[shape_a]);
     const ConvexPoints b = moved(convex_points(shapes.geometry[shape_b]), b_in_a);
-    return a_is_one_sided ? is_behind(a, b) : is_behind(b, a);
+    return a_is_one_sided ? has_middle_behind(a, b) : has_middle_behind(b, a);
 }
 
 } // namespace carom::detail

@@ -65,6 +65,17 @@ LocalManifold moved(const LocalManifold& manifold, const Transform& transform)
     return result;
 }
 
+bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face)
+{
+    const Edge edge = face_of(shape, face);
+    const Vec2 normal = normal_of(edge);
+    for (int i = 0; i < other.count; ++i)
+    {
+        if (dot(normal, point_of(other, i) - edge.v1) + other.radius - shape.radius > adjoining_gap) return false;
+    }
+    return true;
+}
+
 Vec2 middle_of(const ConvexPoints& shape)
 {
     Vec2 sum;
@@ -100,6 +111,7 @@ Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& 
 
     Stretch hidden = {0, dot(edge.v2 - edge.v1, along)};
     const bool is_segment = other.count == 2 && other.radius == 0;
+    if (is_segment && is_behind(other, shape, face)) return {};
     for (int i = 0; i < other.count; ++i)
     {
         const Edge side = face_of(other, i);

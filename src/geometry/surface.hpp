@@ -23,6 +23,8 @@ Vec2 normal_of(const Edge& face); ///< unit, outward
 ConvexPoints moved(const ConvexPoints& shape, const Transform& transform);
 LocalManifold moved(const LocalManifold& manifold, const Transform& transform);
 Vec2 middle_of(const ConvexPoints& shape); ///< the mean of its points
+/// Whether no part of `other` reaches more than adjoining_gap in front of a face of `shape`.
+bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face);
 /// From the shape's surface to the point, negative inside; for points inside only the sign is exact.
 float distance_to(const ConvexPoints& shape, Vec2 point);
 
@@ -34,7 +36,7 @@ struct Stretch
 };
 
 /// The part of the face before which `other` lies: where a point adjoining_gap outside of the face is inside it. A segment has no inside: it
-/// hides what is behind it.
+/// hides what is behind it, if any of it is in front of the face.
 /// @param viewer which side of a segment is its front: the one that faces this point
 Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer);
 
