@@ -35,6 +35,8 @@ struct SolverTuning
     float restitution_threshold = 1;  ///< slower approaches do not bounce [m/s], >= 0
     float joint_hertz = 60;           ///< how fast joints undo their errors, also limited to a quarter of the substep rate [1/s], >= 0.01
     float joint_damping_ratio = 2;    ///< >= 0
+    /// The impulses of a step are the first guess of the next. Without that, tall piles sink in and long chains stretch: for experiments.
+    bool warm_starting = true;
 
     friend bool operator==(const SolverTuning&, const SolverTuning&) = default;
 };

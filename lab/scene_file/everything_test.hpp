@@ -97,7 +97,7 @@ inline SceneFile everything()
     file.world = {.gravity = {0.5f, -9},
                   .continuous = false,
                   .sleep = {.is_enabled = false, .speed = 0.1f, .time = 0.2f},
-                  .solver = {20, 5, 2, 0.5f, 40, 3},
+                  .solver = {20, 5, 2, 0.5f, 40, 3, false},
                   .mixing = {Mix::Minimum, Mix::Average},
                   .hit_speed = 2,
                   .fields = {UniformField{{0.1f, 0.2f}}, PointField{{1, 2}, 3, 0.5f},

@@ -107,6 +107,7 @@ struct Fields<SolverTuning>
         v("joint_hertz", &SolverTuning::joint_hertz,
           {.what = "how fast joints undo their errors", .unit = "1/s", .min = 0.01f, .max = any_factor});
         v("joint_damping_ratio", &SolverTuning::joint_damping_ratio, factor(""));
+        v("warm_starting", &SolverTuning::warm_starting, about("the impulses of a step are the first guess of the next"));
     }
 };
 template <>

@@ -92,6 +92,14 @@ inline float contact_stiffness(const SolverTuning& tuning, float h) { return std
 /// ten boxes then begin to tip over. Tests: step_length_test.
 inline bool is_too_soft(const SolverTuning& tuning, float h) { return contact_stiffness(tuning, h) < 0.499f * tuning.contact_hertz; }
 
+/// Factor from the last step's impulses to the first guess of this step's; 0 for no guess.
+/// @param h        substep [s]
+/// @param h_before substep of the last step [s]; 0 when there was none
+inline float warm_scale_of(const SolverTuning& tuning, float h, float h_before)
+{
+    return tuning.warm_starting && h_before > 0 ? h / h_before : 0.0f;
+}
+
 /// @param dt       step [s]
 /// @param h        substep [s]
 /// @param h_before substep of the last step [s]; 0 when there was none
@@ -104,7 +112,7 @@ inline ContactConstants make_contact_constants(const SolverTuning& tuning, float
             .push_out_speed = tuning.push_out_speed,
             .restitution_threshold = tuning.restitution_threshold,
             .carry_share = carry_rate * dt / (1 + carry_rate * dt),
-            .warm_scale = h_before > 0 ? h / h_before : 0.0f,
+            .warm_scale = warm_scale_of(tuning, h, h_before),
             .between_dynamic = make_softness(hertz, tuning.contact_damping_ratio, h),
             .with_static = make_softness(2 * hertz, tuning.contact_damping_ratio, h)};
 }
@@ -125,7 +133,7 @@ inline JointStepConstants make_joint_constants(const SolverTuning& tuning, float
     const float hertz = std::min(tuning.joint_hertz, 0.25f / h);
     return {.h = h,
             .inv_h = 1 / h,
-            .warm_scale = h_before > 0 ? h / h_before : 0.0f,
+            .warm_scale = warm_scale_of(tuning, h, h_before),
             .rigid = make_softness(hertz, tuning.joint_damping_ratio, h)};
 }
 

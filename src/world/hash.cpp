@@ -217,6 +217,7 @@ std::uint64_t World::hash() const
     if (world.rules.hit_speed != WorldDef{}.hit_speed) hasher.add(world.rules.hit_speed);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
+    if (world.tuning.warm_starting != SolverTuning{}.warm_starting) hasher.add(world.tuning.warm_starting);
     hasher.add_all(world.sleep.is_enabled, world.sleep.speed, world.sleep.time, world.is_continuous);
     add_bodies(hasher, world.bodies, world.step_count);
     add_shapes(hasher, world.shapes, world.bodies, world.step_count);

@@ -281,4 +281,15 @@ TEST(World, WarmStartSurvivesAChangeOfTheStepsLength)
     }
 }
 
+TEST(World, a_switch_of_warm_starting_shows_in_the_hash_and_in_a_copy)
+{
+    World world;
+    const std::uint64_t before = world.hash();
+    world.set_solver_tuning({.warm_starting = false});
+    EXPECT_NE(world.hash(), before);
+    EXPECT_FALSE(world.copy().solver_tuning().warm_starting);
+    world.set_solver_tuning({});
+    EXPECT_EQ(world.hash(), before);
+}
+
 } // namespace carom

@@ -73,6 +73,32 @@ TEST(Stacking, a_pyramid_of_20_rows_stands)
     }
 }
 
+TEST(Stacking, a_tall_pile_sinks_deeper_without_warm_starting)
+{
+    // The deepest overlap of 20 boxes after three seconds [m].
+    const auto overlap = [](bool warm_starting)
+    {
+        World world({.solver = {.warm_starting = warm_starting}, .sleep = {.is_enabled = false}});
+        world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(200, 2));
+        std::vector<BodyId> boxes;
+        for (int i = 0; i < 20; ++i) boxes.push_back(world.create_body({.position = {0, 0.5f + static_cast<float>(i)}}, box(1, 1)));
+        for (int step = 0; step < 180; ++step) world.step(dt);
+        float below = -0.5f; // height of the centre below
+        float deepest = 0;
+        for (const BodyId id : boxes)
+        {
+            const float height = world.body(id).position().y;
+            deepest = std::max(deepest, below + 1 - height);
+            below = height;
+        }
+        return deepest;
+    };
+    const float with = overlap(true);
+    const float without = overlap(false);
+    EXPECT_LT(with, 0.006f);
+    EXPECT_GT(without, 3 * with);
+}
+
 TEST(Stacking, a_heavy_box_rests_on_a_light_one)
 {
     World world = world_with_ground();

@@ -126,7 +126,7 @@ void RandomApi::edit_rules()
         try_call("set_solver_tuning", [&]
         {
             world_.set_solver_tuning({draw_.number(10, 60, {0.01f, 1e6f}), draw_.number(1, 20, rate), draw_.number(1, 5, {0.0001f, 1e6f}),
-                                      draw_.number(0, 2, rate), draw_.number(20, 90, {0.01f, 1e6f}), draw_.number(0, 5, rate)});
+                                      draw_.number(0, 2, rate), draw_.number(20, 90, {0.01f, 1e6f}), draw_.number(0, 5, rate), flag});
         });
         return;
     }

@@ -92,7 +92,8 @@ void read_options(Digest& digest, const World& world)
     const SleepTuning sleep = world.sleep_tuning();
     digest.all(world.gravity(), world.broad_phase(), broad_phase.quadtree_max_depth, broad_phase.quadtree_node_capacity);
     digest.all(solver.contact_hertz, solver.contact_damping_ratio, solver.push_out_speed, solver.restitution_threshold, solver.joint_hertz);
-    digest.all(solver.joint_damping_ratio, sleep.is_enabled, sleep.speed, sleep.time, world.is_continuous(), world.mixing().friction);
+    digest.all(solver.joint_damping_ratio, solver.warm_starting, sleep.is_enabled, sleep.speed, sleep.time, world.is_continuous(),
+               world.mixing().friction);
     digest.all(world.mixing().restitution, world.hit_speed(), world.hooks() != nullptr);
 }
 

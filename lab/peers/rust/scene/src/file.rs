@@ -167,6 +167,7 @@ pub struct Solver {
     pub restitution_threshold: f32,
     pub joint_hertz: f32,
     pub joint_damping_ratio: f32,
+    pub warm_starting: bool,
 }
 
 impl Default for Solver {
@@ -178,6 +179,7 @@ impl Default for Solver {
             restitution_threshold: 1.0,
             joint_hertz: 60.0,
             joint_damping_ratio: 2.0,
+            warm_starting: true,
         }
     }
 }
