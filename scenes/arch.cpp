@@ -1,5 +1,6 @@
 // Arch: wedges of stone in a half circle between two abutments. Nothing but their weight and friction holds them.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <array>
@@ -38,7 +39,7 @@ Arch::Arch(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -9.81f}}), ra
 {
     add_ground();
     add_stones(integer("stones"));
-    camera_ = {.center = {0, 4.5f}, .height = 13};
+    camera_ = framed(world(), {{-6.5f, -0.3f}, {6.5f, 8.5f}});
 }
 
 void Arch::add_ground()

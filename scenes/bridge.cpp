@@ -1,5 +1,6 @@
 // Bridge: planks pinned together hang between two banks and carry what is dropped on them.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ Bridge::Bridge(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -9.81f}})
         const float row = static_cast<float>(i / 7);
         add_load({2 * column + random_.uniform(-0.4f, 0.4f), 1 + 1.5f * row});
     }
-    camera_ = {.center = {0, 1.5f}, .height = 16};
+    camera_ = framed(world(), {{-12, -3.5f}, {12, 5.5f}});
 }
 
 void Bridge::add_banks()

@@ -1,6 +1,7 @@
 // Bullets: things far too fast for the step meet thin walls, a swinging bat, and each other. Nothing passes through anything, until continuous
 // collision is switched off.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <array>
@@ -53,7 +54,7 @@ Bullets::Bullets(const SceneSetup& setup)
 {
     add_field();
     volley();
-    camera_ = {.center = {0, 0.5f * field_height - 0.5f}, .height = field_height + 3};
+    camera_ = framed_field({{-field_half, -0.5f}, {field_half, field_height}});
 }
 
 void Bullets::add_field()

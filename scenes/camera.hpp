@@ -11,6 +11,7 @@ struct Camera
 {
     Vec2 center = {};  ///< what the middle of the picture shows [m]
     float height = 20; ///< of the part of the world that is visible [m]
+    float width = 0;   ///< that a narrow picture must show; 0 for 16/9 of the height [m]
 };
 
 /// A picture on a screen or in a file.

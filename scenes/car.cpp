@@ -1,5 +1,6 @@
 // A car with two sprung wheels drives over bumps, a seesaw and a hanging bridge, through a stack of boxes.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/painted_scene.hpp"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ constexpr int bridge_group = -2;     // nor do the planks touch the banks
 constexpr double patience = 2.5;     // of a car that stands still before it starts again [s]
 constexpr float lost_beyond = 60;    // [m]
 constexpr Vec2 car_place{0, 1.05f};  // of the car at the start [m]
-constexpr Vec2 ahead{4, 1.4f};       // of the car is the middle of the picture [m]
+constexpr Vec2 ahead{2.8f, 1.1f};    // of the car is the middle of what the picture is about [m]
+constexpr Vec2 look_around{6.4f, 3}; // half of its size [m]
 constexpr float deepest = -12;       // to which the ground is drawn [m]
 constexpr Color wood = rgb(0.68f, 0.52f, 0.36f);
 constexpr Color paint = rgb(0.85f, 0.33f, 0.30f);
@@ -69,12 +71,14 @@ private:
     std::vector<BodyId> boxes_;
     std::vector<Vec2> road_;
     int direction_ = 1;     ///< 1 to the right, -1 to the left, 0 brakes
+    Vec2 seen_from_car_;    ///< the middle of the picture [m]
     double last_moved_ = 0; ///< when the car was last seen to move [s]
 };
 
 Car::Car(const SceneSetup& setup) : PaintedScene(setup, WorldDef{}), random_(seed(), 1)
 {
-    camera_ = {.center = car_place + ahead, .height = 11};
+    camera_ = framed({car_place + ahead - look_around, car_place + ahead + look_around});
+    seen_from_car_ = camera_.center - car_place;
     add_road();
     add_seesaw();
     add_bridge();
@@ -203,7 +207,7 @@ void Car::start_again()
     add_boxes();
     add_car();
     drive(1);
-    camera_.center = car_place + ahead;
+    camera_.center = car_place + seen_from_car_;
 }
 
 /// At the goal, on its back, in the gap or far away: it has stood still though it should not, or can't be seen any more.
@@ -228,7 +232,7 @@ void Car::after_step(const StepReport&)
     if (length(car.linear_velocity()) > 0.3f) last_moved_ = time();
     if (direction_ > 0 && car.position().x > goal) drive(0);
     if (is_stuck()) start_again();
-    const Vec2 wanted = world().body(chassis_).position() + ahead;
+    const Vec2 wanted = world().body(chassis_).position() + seen_from_car_;
     camera_.center += 0.08f * (wanted - camera_.center);
 }
 

@@ -1,5 +1,6 @@
 // Card house: thin cards lean on each other, flat ones lie across their tops, and only friction holds them.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ CardHouse::CardHouse(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -9.
 {
     add_ground();
     add_house(integer("storeys"));
-    camera_ = {.center = {0, 1.8f}, .height = 5.5f};
+    camera_ = framed(world(), {{-1.9f, -0.1f}, {1.9f, 1}});
 }
 
 void CardHouse::add_ground()

@@ -1,5 +1,6 @@
 // Chain terrain: a landscape from one chain whose stretches have materials of their own. Balls, boxes and capsules roll and slide over it.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ ChainTerrain::ChainTerrain(const SceneSetup& setup) : Scene(setup, {}), random_(
         const float x = random_.uniform(-half_width + 9, half_width - 9);
         add_body({x, 12 + 0.7f * static_cast<float>(i)});
     }
-    camera_ = {.center = {0, 7.5f}, .height = 48};
+    camera_ = framed({{-half_width, -8}, {half_width, 29}});
 }
 
 float ChainTerrain::height_at(float x) const

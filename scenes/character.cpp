@@ -1,5 +1,6 @@
 // Character: a player that walks a course of stairs, slopes, platforms and crates. It is moved by queries, not by forces.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -76,13 +77,13 @@ private:
 
 CharacterCourse::CharacterCourse(const SceneSetup& setup) : Scene(setup, {}), random_(seed(), 1), player_(player_def(setup.parameters))
 {
-    camera_ = {.center = {0, 1.9f}, .height = 15.2f};
     add_course();
     ferry_ = add_mover(ferry_middle, ferry_size);
     lift_ = add_mover(lift_middle, lift_size);
     add_crates();
     player_body_ = world().create_body({.type = BodyType::Kinematic, .position = start, .name = "player"}, player_.def().geometry,
                                        {.is_sensor = true});
+    camera_ = framed(world(), {{-13.6f, -2.4f}, {13.4f, 6.2f}});
 }
 
 void CharacterCourse::add_course()

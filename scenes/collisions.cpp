@@ -1,6 +1,7 @@
 // Collisions: circles and boxes between four walls that bounce without losing energy. With 500 circles and 500 boxes, its
 // defaults, it is the benchmark that Carom inherited from the engine that it grew from.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 #include "scenes/placement.hpp"
 
@@ -112,7 +113,7 @@ void Collisions::fit_field(const std::vector<Geometry>& shapes)
     const float field_area = std::max(least_area, 100 * area / real("cover"));
     const Vec2 half{0.5f * std::sqrt(field_area * aspect), 0.5f * std::sqrt(field_area / aspect)};
     field_ = {-half, half};
-    camera_ = {.center = {}, .height = 1.03f * (2 * half.y)};
+    camera_ = framed_field({-half, half});
 }
 
 std::string Collisions::no_room() const

@@ -1,5 +1,6 @@
 // Domino: four rows fall one stone after the other, along the flat, over a hill, down stairs, and from small to large.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ Domino::Domino(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -9.81f}})
     ground_ = world().create_body({.type = BodyType::Static, .name = "ground"});
     for (std::size_t row = 0; row < rows.size(); ++row) add_row(row);
     start();
-    camera_ = {.center = {0, 3.8f}, .height = 15.5f};
+    camera_ = framed(world(), {{-13, -2.5f}, {13, 9}});
 }
 
 void Domino::add_row(std::size_t row)

@@ -1,5 +1,6 @@
 // Gravity: things fall onto a ground, pile up and get knocked over, and more can be dropped with the pointer.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ Gravity::Gravity(const SceneSetup& setup) : Scene(setup, {.gravity = gravity_fro
 {
     const int rows = integer("pyramid");
     const float height = std::max(22.0f, 1.2f * brick * static_cast<float>(rows));
-    camera_ = {.center = {0, 0.41f * height}, .height = height};
+    camera_ = framed({{-0.87f * height, -0.04f * height}, {0.87f * height, 0.84f * height}});
     add_ground(pyramid_foot.x + std::max(9.4f, 0.6f * brick * static_cast<float>(rows)));
     add_pyramid(pyramid_foot, rows);
     add_pile(integer("pile"));

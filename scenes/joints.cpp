@@ -1,5 +1,6 @@
 // Joints: an exhibit of each of the nine types, all moving by themselves, and a spring that tears. Everything is within reach of the pointer.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/painted_scene.hpp"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ private:
 
 Joints::Joints(const SceneSetup& setup) : PaintedScene(setup, WorldDef{}), random_(seed(), 1), phase_(random_.uniform(-0.3f, 0.3f))
 {
-    camera_ = {.center = {0, 0.95f}, .height = 18.7f};
+    camera_ = framed(world(), {{-15.5f, -7.2f}, {15.5f, 8.4f}});
     add_revolute(center_of(0));
     add_prismatic(center_of(1));
     add_distance(center_of(2));

@@ -1,5 +1,6 @@
 // Mass ratio: heavy boxes on towers of light ones, heavy balls on light chains, and by how much each gives way.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <cmath>
@@ -53,7 +54,7 @@ MassRatio::MassRatio(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -9.
         add_tower(-9 + 2.5f * static_cast<float>(i), ratio);
         add_chain(2 + 4 * static_cast<float>(i), ratio);
     }
-    camera_ = {.center = {0, 4.6f}, .height = 13};
+    camera_ = framed(world(), {{-10, -0.6f}, {10, 9.5f}});
 }
 
 void MassRatio::add_tower(float x, float ratio)

@@ -1,5 +1,6 @@
 // Newton's cradle: balls on rods hand their momentum on, as many at the far end as were lifted at this one.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ NewtonCradle::NewtonCradle(const SceneSetup& setup)
         world().create_joint(world().joint_between({}, balls_.back(), {x, rod}, {x, 0}), DistanceJoint{.length = rod});
     }
     lift();
-    camera_ = {.center = {0, 1.8f}, .height = 8};
+    camera_ = framed(world(), {{-5.7f, -0.7f}, {5.7f, 4.5f}});
 }
 
 /// Where the rod of a ball hangs.

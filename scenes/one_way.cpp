@@ -1,6 +1,7 @@
 // One-way: platforms through which bodies jump up and on which they land. Four are boxes that a hook lets be passed from below; the
 // curved one is a one-sided chain and needs no hook.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ OneWay::OneWay(const SceneSetup& setup) : Scene(setup, {.gravity = {0, -10}}), r
         const float row = static_cast<float>(i / 12);
         add_jumper({x, 0.6f + row});
     }
-    camera_ = {.center = {0, 7.8f}, .height = 20};
+    camera_ = framed(world(), {{-field_half, -1}, {field_half, 16.5f}});
 }
 
 void OneWay::add_field()

@@ -1,5 +1,6 @@
 // Planets: a sun, and planets on orbits around it. More of both can be added, and suns pull each other too.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -95,7 +96,8 @@ Planets::Planets(const SceneSetup& setup) : Scene(setup, {.gravity = {}}), rando
     field_ = world().add_field(field_from(parameters()));
     add_sun({}, {}, real("sun_mass"));
     add_first_planets(integer("planets"));
-    camera_ = {.center = {}, .height = 2.1f * orbits_end(integer("planets"))};
+    const Vec2 end = orbits_end(integer("planets")) * Vec2{1, 1};
+    camera_ = framed_field({-end, end});
 
     Random star_random(seed(), 2);
     const Vec2 half = camera_.height * Vec2{1.2f, 0.6f};

@@ -1,6 +1,7 @@
 // Queries: what a world answers while its bodies move. A scanner of rays, a box that is cast, and at the pointer the shapes that overlap, the
 // nearest point, and explosions.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ private:
 
 Queries::Queries(const SceneSetup& setup) : Scene(setup, {.gravity = {}}), random_(seed(), 1)
 {
-    camera_ = {.center = {}, .height = 2.08f * field.max.y};
+    camera_ = framed_field(field);
     add_walls(world(), field, {.friction = 0, .restitution = 1});
     add_drifters(integer("bodies"));
 }

@@ -1,5 +1,6 @@
 // Ragdolls: bodies of eleven limbs whose joints bend as far as ours do, tumbling down a slide and stairs, and through pegs.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/painted_scene.hpp"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ private:
 
 Ragdolls::Ragdolls(const SceneSetup& setup) : PaintedScene(setup, {}), random_(seed(), 1)
 {
-    camera_ = {.center = {0, 5.9f}, .height = 14.8f};
+    camera_ = framed(world(), {{-12.5f, -0.6f}, {12.5f, 11.5f}});
     add_course();
     waiting_ = integer("dolls");
     drop_row();

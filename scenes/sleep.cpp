@@ -1,5 +1,6 @@
 // Sleep: a city of towers that has come to rest and costs nothing, and what wakes when something happens.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ private:
     int islands_ = 0;
     int awake_ = 0;
     float half_width_ = 0;
+    float drop_height_ = 0; ///< of balls that come by themselves [m]
 };
 
 Sleep::Sleep(const SceneSetup& setup)
@@ -61,7 +63,8 @@ Sleep::Sleep(const SceneSetup& setup)
         }
     }
     const float height = std::max(1.2f * half_width_, brick * static_cast<float>(floors) + 8);
-    camera_ = {.center = {0, 0.42f * height}, .height = height};
+    drop_height_ = 0.42f * height + 0.5f * height;
+    camera_ = framed({{-half_width_ - 1, -0.06f * height}, {half_width_ + 1, 0.8f * height}});
 }
 
 void Sleep::drop_ball(Vec2 position)
@@ -93,7 +96,7 @@ void Sleep::before_step()
 {
     if (time() < next_ball_) return;
     next_ball_ = time() + 5;
-    if (boolean("balls")) drop_ball({random_.uniform(-half_width_, half_width_), camera_.center.y + 0.5f * camera_.height});
+    if (boolean("balls")) drop_ball({random_.uniform(-half_width_, half_width_), drop_height_});
 }
 
 void Sleep::after_step(const StepReport& report)

@@ -1,6 +1,7 @@
 // Tiles: a ball and a box race over floors that are made of one piece and of many. What would trip on a seam shows in the trace of
 // its height, a thousand times enlarged.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -90,7 +91,8 @@ Tiles::Tiles(const SceneSetup& setup) : Scene(setup, {}), random_(seed(), 1)
         add_floor(lane, floors[i].kind);
         add_racers(lane);
     }
-    camera_ = {.center = {0.5f * lane_length, -0.5f * lane_spacing * static_cast<float>(floors.size() - 1) + 0.8f}, .height = 36};
+    camera_ =
+        framed(world(), {{-1, -lane_spacing * static_cast<float>(floors.size() - 1) - 1}, {lane_length + 1, trace_above + highest_trace}});
 }
 
 /// Tiles of many widths, and room before and behind the part that is raced over.

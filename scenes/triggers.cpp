@@ -1,6 +1,7 @@
 // Triggers: shapes that drift through each other and light up while they overlap. Every one is a sensor: nothing pushes
 // anything, and what the scene shows comes from sensor events and from the broad phase.
 #include "scenes/builtin_scenes.hpp"
+#include "scenes/framing.hpp"
 #include "scenes/helpers.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Triggers::Triggers(const SceneSetup& setup) : Scene(setup, weightless(setup)), r
     const float area = field_area_per_shape * std::max(40.0f, static_cast<float>(total));
     const Vec2 half{0.5f * std::sqrt(area * aspect), 0.5f * std::sqrt(area / aspect)};
     field_ = {-half, half};
-    camera_ = {.center = {}, .height = 2.08f * half.y};
+    camera_ = framed_field({-half, half});
 
     const Aabb inner = expanded(field_, -1.5f);
     for (int kind = 0; kind < 3; ++kind)

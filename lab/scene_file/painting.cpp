@@ -1,6 +1,7 @@
 // Hues by number, and the part of the world that is worth showing.
 #include "lab/scene_file/painting.hpp"
 
+#include "scenes/framing.hpp"
 #include "scenes/painted_scene.hpp"
 
 #include <algorithm>
@@ -17,6 +18,15 @@ scenes::Color color_of(int number)
 {
     const float turns = 0.618034f * static_cast<float>(number % 1000);
     return scenes::from_hue(turns - std::floor(turns), 0.5f, 0.56f);
+}
+
+/// What moves may turn around, so that a narrow picture shows at least as much to the sides as the view is high.
+scenes::Camera camera_of(const FileView& view, const std::optional<Aabb>& movable)
+{
+    constexpr float margin = 1.08f;
+    if (!movable) return {view.center, view.height};
+    const float width = std::max(view.height, 2 * margin * std::max(view.center.x - movable->min.x, movable->max.x - view.center.x));
+    return {.center = view.center, .height = view.height, .width = std::min(width, 16 * view.height / 9)};
 }
 
 } // namespace
@@ -46,20 +56,13 @@ void FilePainting::draw(const World& world, const scenes::Camera& camera, scenes
 
 scenes::Camera FilePainting::camera_of(const SceneFile& file, const World& world)
 {
-    if (file.view) return {file.view->center, file.view->height};
-    std::optional<Aabb> moving;
-    std::optional<Aabb> all;
-    for (const BodyId id : world.bodies())
-    {
-        const BodyView body = world.body(id);
-        const Aabb bounds = body.bounds();
-        all = all ? merge(*all, bounds) : bounds;
-        if (body.type() != BodyType::Static) moving = moving ? merge(*moving, bounds) : bounds;
-    }
-    if (!all) return {};
-    const Aabb box = moving.value_or(*all);
-    const Vec2 size = box.max - box.min;
-    return {box.center(), std::max({1.2f * size.y, 0.7f * size.x, 1.0f})};
+    std::optional<Aabb> box = scenes::movable_bounds(world);
+    if (file.view) return lab::camera_of(*file.view, box);
+    if (!box)
+        for (const BodyId id : world.bodies()) box = box ? merge(*box, world.body(id).bounds()) : world.body(id).bounds();
+    if (!box) return {};
+    constexpr Vec2 least = {0.25f, 0.25f}; // half of a picture's size at least [m]
+    return scenes::framed(merge(*box, {box->center() - least, box->center() + least}));
 }
 
 } // namespace carom::lab
