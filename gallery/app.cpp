@@ -4,6 +4,7 @@
 #include "files/output_file.hpp"
 #include "files/text.hpp"
 #include "gallery/failure.hpp"
+#include "gallery/grid.hpp"
 #include "gallery/keys.hpp"
 #include "gallery/moment_words.hpp"
 #include "gallery/overlay_names.hpp"
@@ -79,12 +80,13 @@ nlohmann::json json_of(const FrameTimes& t)
 App::App(const Options& options)
     : options_(options),
       window_(window_options(options)),
-      gallery_(options.scene, options.values, options.seed),
+      gallery_(options.file ? *options.file : find_source(options.scene), options.values, options.seed),
       last_frame_(SteadyClock::now())
 {
     gallery_.theme = options.theme;
     gallery_.palette = options.palette;
     gallery_.shows_panels = options.has_panels;
+    gallery_.shows_status = options.has_panels;
     gallery_.wanted_tab = options.tab;
     for (const std::string& name : options.shown) gallery_.draw.*find_overlay(name) = true;
     if (!options.widgets.empty()) gallery_.widgets.want(options.widgets);
@@ -202,6 +204,10 @@ void App::handle(const SDL_Event& event)
         if (!ImGui::GetIO().WantTextInput)
             press_key(gallery_, event.key.keysym.sym, (event.key.keysym.mod & KMOD_CTRL) != 0, event.key.repeat != 0);
         break;
+    case SDL_DROPFILE:
+        gallery_.session.open_file(event.drop.file);
+        SDL_free(event.drop.file);
+        break;
     case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) hand.let_go();
         break;
@@ -223,6 +229,7 @@ void App::lay_out()
     if (!is_over_panel(pointer_)) gallery_.hand.look();
     const Rect free = draw_panels(gallery_, window_.size(), window_.ui_scale());
     gallery_.look(window_.size(), free);
+    gallery_.pointer_place = is_over_panel(pointer_) ? std::nullopt : std::optional(gallery_.view.to_world(pointer_));
 }
 
 void App::draw_scene()
@@ -230,6 +237,7 @@ void App::draw_scene()
     const Renderer::View view = {gallery_.view.camera(), window_.pixels()};
     const float height = view.camera.height;
     scenes::DrawList& list = gallery_.session.picture(gallery_.draw, height);
+    if (gallery_.draw.grid) draw_grid(gallery_.view, list);
     draw_marks(list);
     draw_timer_.begin();
     renderer_.draw(list, view, theme_);
@@ -285,7 +293,7 @@ void App::report(std::ostream& out) const
     const scenes::Scene& scene = gallery_.session.scene();
     if (options_.is_json)
     {
-        const nlohmann::json json = {{"scene", scene.info().name},
+        const nlohmann::json json = {{"scene", gallery_.session.source().info().name},
                                      {"frames", frame_},
                                      {"steps", scene.world().step_count()},
                                      {"bodies", scene.world().body_count()},
@@ -300,7 +308,7 @@ void App::report(std::ostream& out) const
                   "%s: %d frames, %llu steps, %d bodies, %d shapes and lines in %d draw calls\n"
                   "mean of a frame: steps %.3f ms, drawing %.3f ms (GPU %.3f ms), panels %.3f ms (GPU %.3f ms), present %.3f ms, frame to "
                   "frame %.3f ms\n",
-                  scene.info().name.c_str(), frame_, static_cast<unsigned long long>(scene.world().step_count()),
+                  gallery_.session.source().info().name.c_str(), frame_, static_cast<unsigned long long>(scene.world().step_count()),
                   scene.world().body_count(), renderer_.last().instances, renderer_.last().draw_calls, t.step, t.draw, t.draw_gpu, t.panels,
                   t.panels_gpu, t.present, t.whole);
     out << text;

@@ -15,7 +15,7 @@ void Gallery::toggle_follow()
 
 void Gallery::look(scenes::Viewport window, const Rect& free)
 {
-    const std::string& scene = session.scene().info().name;
+    const std::string& scene = session.source().info().name;
     const bool is_new = std::exchange(generation_, session.generation()) != session.generation();
     // The camera of another scene says nothing here, nor where a body was that is gone with its world.
     if (std::exchange(scene_, scene) != scene || (is_new && view.is_following())) view.reset();

@@ -1,14 +1,17 @@
 // All that the program is about between its frames: panels read and change it.
 #pragma once
 
+#include "gallery/file_dialog.hpp"
 #include "gallery/frame_meter.hpp"
 #include "gallery/hand.hpp"
+#include "gallery/panel_layout.hpp"
 #include "gallery/session.hpp"
 #include "gallery/theme.hpp"
 #include "gallery/view.hpp"
 #include "gallery/widget_map.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,9 +21,12 @@ namespace carom::gallery
 
 struct Gallery
 {
-    Gallery(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed)
-        : session(scene, values, seed),
+    Gallery(const SceneSource& source, const scenes::ParameterValues& values, std::uint64_t seed)
+        : session(source, values, seed),
           hand(session, view)
+    {
+    }
+    Gallery(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed) : Gallery(find_source(scene), values, seed)
     {
     }
     Gallery(const Gallery&) = delete;
@@ -36,11 +42,18 @@ struct Gallery
     ThemeKind theme = ThemeKind::Dark;
     Palette palette = Palette::Scene;
     bool shows_panels = true;
+    bool shows_status = true; ///< the line at the bottom: times, counts, the pointer's place
     bool shows_help = false;
-    std::vector<Rect> floating; ///< places of the windows over the scene, as they were laid out last
-    float bar_height = 0;       ///< that the bar of time needs at the window's width; 0 before it was laid out [points]
-    std::string wanted_tab;     ///< that is to be opened; empty for none
-    std::string search;         ///< in the list of scenes
+    PanelLayout layout;
+    Vec2 window_size = {1280, 720}; ///< as it was laid out last [points]
+    float ui_scale = 1;             ///< how large letters are, 1 on a common screen
+    FileDialog dialog;
+    std::vector<Rect> floating;        ///< places of the windows over the scene, as they were laid out last
+    std::string wanted_tab;            ///< that is to be opened; empty for none
+    std::string search;                ///< in the list of scenes
+    std::set<std::string> folded;      ///< groups of the list of scenes whose scenes are hidden
+    std::string listed;                ///< the scene to which the list was scrolled last
+    std::optional<Vec2> pointer_place; ///< in the world, while the pointer is over the scene [m]
     /// A parameter that is being edited and acts by a restart: it waits until the person lets it go.
     std::optional<std::pair<std::string, scenes::ParameterValue>> edited;
     bool wants_quit = false;

@@ -22,8 +22,7 @@ void walk_buttons(Gallery& gallery)
     auto index = static_cast<int>(session.moment());
     const int last = static_cast<int>(session.film().moments().size()) - 1;
     ImGui::PushItemWidth(slider_width);
-    if (ImGui::SliderInt("##moment", &index, 0, last, "moment %d", ImGuiSliderFlags_AlwaysClamp))
-        session.show_moment(static_cast<std::size_t>(index));
+    if (slider("##moment", index, 0, last, "moment %d")) session.show_moment(static_cast<std::size_t>(index));
     gallery.widgets.note("moment");
     ImGui::PopItemWidth();
     flow("Leave");

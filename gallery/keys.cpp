@@ -36,6 +36,8 @@ void toggle_inside(Gallery& g)
         g.session.look_inside();
 }
 
+void toggle_side(Gallery& g, PanelSide side) { g.layout.toggle(side, g.window_size, g.ui_scale); }
+
 void change_speed(Gallery& g, double factor) { g.session.clock().set_speed(factor * g.session.clock().speed()); }
 
 /// "carom-planets-20260102-030405.png"
@@ -46,7 +48,9 @@ std::string screenshot_name(const Gallery& g)
     localtime_r(&now, &local);
     char text[32];
     std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
-    return "carom-" + g.session.scene().info().name + "-" + text + ".png";
+    const SceneSource& source = g.session.source();
+    const std::string name = source.file().empty() ? source.info().name : source.file().stem().string();
+    return "carom-" + name + "-" + text + ".png";
 }
 
 constexpr float zoom_step = 1.25f;
@@ -71,9 +75,15 @@ constexpr std::array actions = {
     KeyAction{SDLK_MINUS, false, "-", "farther", [](Gallery& g) { g.view.zoom_at(middle_of(g.view), 1 / zoom_step); }},
     KeyAction{SDLK_TAB, false, "Tab", "hide or show the panels", [](Gallery& g) { g.shows_panels = !g.shows_panels; }},
     KeyAction{SDLK_F1, false, "F1", "this help", [](Gallery& g) { g.shows_help = !g.shows_help; }},
+    KeyAction{SDLK_F2, false, "F2", "fold or open the list of scenes", [](Gallery& g) { toggle_side(g, PanelSide::Left); }},
+    KeyAction{SDLK_F3, false, "F3", "fold or open the tabs", [](Gallery& g) { toggle_side(g, PanelSide::Right); }},
+    KeyAction{SDLK_F4, false, "F4", "fold or open the bar of time", [](Gallery& g) { g.layout.is_bar_folded = !g.layout.is_bar_folded; }},
+    KeyAction{SDLK_F5, false, "F5", "hide or show the status line", [](Gallery& g) { g.shows_status = !g.shows_status; }},
+    KeyAction{SDLK_F6, false, "F6", "hide or show the grid", [](Gallery& g) { g.draw.grid = !g.draw.grid; }},
     KeyAction{SDLK_F11, false, "F11", "full screen", [](Gallery& g) { g.wants_full_screen = !g.wants_full_screen; }},
     KeyAction{SDLK_F12, false, "F12", "a picture of the window, into the current folder",
               [](Gallery& g) { g.wants_screenshot = screenshot_name(g); }},
+    KeyAction{SDLK_o, true, "Ctrl O", "open a scene file", [](Gallery& g) { g.dialog.open(); }},
     KeyAction{SDLK_q, true, "Ctrl Q", "quit", [](Gallery& g) { g.wants_quit = true; }},
 };
 
@@ -135,6 +145,7 @@ void press_key(Gallery& gallery, SDL_Keycode key, bool has_ctrl, bool is_repeat)
     if (plain == SDLK_ESCAPE)
     {
         gallery.shows_help = false;
+        gallery.dialog.close();
         gallery.hand.select({});
         return gallery.session.leave_inside();
     }
@@ -142,7 +153,7 @@ void press_key(Gallery& gallery, SDL_Keycode key, bool has_ctrl, bool is_repeat)
     {
         if (action.key != plain || action.needs_ctrl != has_ctrl) continue;
         // Stepping, speed and zoom go on while the key is held; what switches does not.
-        const bool repeats = plain == SDLK_o || plain == SDLK_EQUALS || plain == SDLK_MINUS;
+        const bool repeats = (plain == SDLK_o && !has_ctrl) || plain == SDLK_EQUALS || plain == SDLK_MINUS;
         if (!is_repeat || repeats) action.act(gallery);
         return;
     }

@@ -30,6 +30,8 @@ void overlay_boxes(Gallery& gallery)
     ImGui::TableNextColumn();
     parameter_checkbox(gallery, "bounds", "show_bounds", "bounds of shapes: tight, and as the broad phase sees them (B)");
     ImGui::TableNextColumn();
+    checkbox(gallery, "status line", gallery.shows_status, "times, counts and the pointer's place, at the bottom of the window (F5)");
+    ImGui::TableNextColumn();
     parameter_checkbox(gallery, "broad phase", "show_squares", "the squares of the quadtree, or the boxes of the tree (Q)");
     ImGui::EndTable();
 }
@@ -64,12 +66,11 @@ void spawn(Gallery& gallery)
     ImGui::PushItemWidth(9 * ImGui::GetFontSize());
     if (ImGui::Combo("kind", &kind, names.data(), static_cast<int>(names.size()))) spawn.kind = static_cast<SpawnOptions::Kind>(kind);
     gallery.widgets.note("spawn kind");
-    constexpr ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    ImGui::SliderFloat("size", &spawn.size, 0.05f, 20, "%.2f m", flags | ImGuiSliderFlags_Logarithmic);
+    slider("size", spawn.size, 0.05f, 20, "%.2f m", ImGuiSliderFlags_Logarithmic);
     gallery.widgets.note("spawn size");
-    ImGui::SliderFloat("density", &spawn.density, 0.01f, 100, "%.2f kg/m2", flags | ImGuiSliderFlags_Logarithmic);
-    ImGui::SliderFloat("friction", &spawn.friction, 0, 2, "%.2f", flags);
-    ImGui::SliderFloat("restitution", &spawn.restitution, 0, 1, "%.2f", flags);
+    slider("density", spawn.density, 0.01f, 100, "%.2f kg/m2", ImGuiSliderFlags_Logarithmic);
+    slider("friction", spawn.friction, 0, 2, "%.2f");
+    slider("restitution", spawn.restitution, 0, 1, "%.2f");
     ImGui::PopItemWidth();
 }
 

@@ -4,12 +4,12 @@
 #include "files/output_file.hpp"
 #include "gallery/overlay_names.hpp"
 #include "gallery/tab_names.hpp"
-#include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <carom/version.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <ostream>
@@ -30,6 +30,7 @@ A FILE may be -, standard output; what the program prints then goes to standard 
 Examples:
   carom-gallery
   carom-gallery --scene collisions --set circles=1000 --show contacts --show impulses
+  carom-gallery my_level.json
   SDL_VIDEODRIVER=offscreen carom-gallery --scene arch --frames 240 --screenshot arch.png
 
 Exit status: 0 done, 1 failed, 2 bad usage.)";
@@ -80,6 +81,7 @@ void check_screenshot(const std::filesystem::path& path)
 /// What is read by hand, since CLI11's own errors would say less.
 struct Words
 {
+    std::string file;
     std::vector<std::string> settings;
     std::string size;
     std::string seed = "1";
@@ -109,7 +111,8 @@ void add_all(CLI::App& app, Options& options, Words& words)
 {
     app.set_version_flag("--version", std::string("carom-gallery ") + CAROM_VERSION);
     app.footer(notes);
-    app.add_option("--scene", options.scene, "The scene to open")->type_name("NAME")->capture_default_str();
+    CLI::Option* const scene = app.add_option("--scene", options.scene, "The scene to open")->type_name("NAME")->capture_default_str();
+    app.add_option("FILE", words.file, "A scene file to open instead; it is read again when it changes")->type_name("")->excludes(scene);
     app.add_option("--set", words.settings, "Set a parameter of the scene; may be given again")
         ->type_name("NAME=VALUE")
         ->take_all()
@@ -131,6 +134,21 @@ void add_all(CLI::App& app, Options& options, Words& words)
         ->type_name("FILE.json");
 }
 
+/// @throws BadUsage
+SceneSource file_source(const std::string& file)
+{
+    try
+    {
+        return SceneSource::of_file(file);
+    }
+    catch (const std::exception& error)
+    {
+        const auto is_it = [&](const SceneSource& source) { return source.info().name == file; };
+        const bool is_scene = std::any_of(catalogue().begin(), catalogue().end(), is_it);
+        throw BadUsage(error.what() + (is_scene ? "; --scene " + file + " opens the scene of that name" : std::string()));
+    }
+}
+
 /// @throws BadUsage, SceneError
 void read_words(const Words& words, Options& options)
 {
@@ -138,7 +156,9 @@ void read_words(const Words& words, Options& options)
     options.theme = is_second("--theme", words.theme, "dark", "light") ? ThemeKind::Light : ThemeKind::Dark;
     options.palette = is_second("--palette", words.palette, "scene", "safe") ? Palette::ColorBlindSafe : Palette::Scene;
     if (!words.size.empty()) read_size(words.size, options);
-    options.values = scenes::parsed_settings(scenes::find_scene(options.scene).parameters, words.settings);
+    if (!words.file.empty()) options.file = file_source(words.file);
+    const scenes::SceneInfo& scene = options.file ? options.file->info() : find_source(options.scene).info();
+    options.values = scenes::parsed_settings(scene.parameters, words.settings);
     options.has_panels = !words.hides_panels;
 }
 
@@ -147,7 +167,7 @@ void read_words(const Words& words, Options& options)
 std::optional<Options> read_options(const std::vector<std::string>& arguments, std::ostream& out)
 {
     Options options;
-    options.scene = scenes::all_scenes().front().name;
+    options.scene = catalogue().front().info().name;
     Words words;
     CLI::App app("Carom's gallery: scenes to play with, and a look inside the engine.", "carom-gallery");
     add_all(app, options, words);

@@ -1,6 +1,7 @@
 // What the command line asks for.
 #pragma once
 
+#include "gallery/scene_source.hpp"
 #include "gallery/theme.hpp"
 #include "scenes/parameters.hpp"
 
@@ -24,6 +25,7 @@ struct BadUsage : std::runtime_error
 struct Options
 {
     std::string scene;
+    std::optional<SceneSource> file; ///< a scene file, instead of the scene
     scenes::ParameterValues values;
     std::uint64_t seed = 1;
     int width = 1600; ///< [points]

@@ -68,10 +68,11 @@ TEST(Options, say_what_does_not_fit_and_what_would)
     EXPECT_NE(refusal_of({"--theme", "pink"}).find("dark or light"), std::string::npos);
     EXPECT_NE(refusal_of({"--seed", "-1"}), "none");
     EXPECT_NE(refusal_of({"--inside", "3"}).find("--frames"), std::string::npos);
-    EXPECT_NE(refusal_of({"planets"}), "none");
     EXPECT_EQ(refusal_of({"--screenshot", "a.jpg"}), "--screenshot: \"a.jpg\" has an unknown format; give a name that ends in .png");
     EXPECT_EQ(refusal_of({"--screenshot", "a.PNG"}), "none");
     EXPECT_EQ(refusal_of({"--screenshot", "-"}), "none");
+    EXPECT_NE(refusal_of({"planets"}).find("--scene planets"), std::string::npos);
+    EXPECT_NE(refusal_of({"none.json"}).find("No such file"), std::string::npos);
 }
 
 TEST(Options, print_the_help)

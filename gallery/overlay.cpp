@@ -86,11 +86,60 @@ private:
     Scenery& scenery_;
 };
 
+/// Side of a common shape of a body that moves: the median [m]; 0 when there is none.
+float common_size(const Scenery& scenery)
+{
+    std::vector<float> sizes;
+    for (const Scenery::SeenShape& shape : scenery.shapes)
+    {
+        const DebugBody* body = scenery.find(shape.body);
+        if (!body || body->type == BodyType::Static) continue;
+        const Vec2 size = 2 * aabb_of(shape.geometry, shape.transform).half_extent();
+        sizes.push_back(std::max(size.x, size.y));
+    }
+    if (sizes.empty()) return 0;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+/// Marks that fit the picture, but smaller where the bodies are: those of a thousand must not run together.
+/// @return radius [m]
+float dot_radius(const Scenery& scenery, float height)
+{
+    const float usual = 0.0045f * height;
+    const float size = common_size(scenery);
+    return size > 0 ? std::clamp(0.1f * size, 0.0017f * height, usual) : usual;
+}
+
+/// Takes colours near to the ground's, so that what is drawn over them stands out.
+void dim(DrawList& list)
+{
+    constexpr float share = 0.62f; // of the ground
+    const auto dimmed = [&](Color color) { return with_alpha(scenes::mix(color, list.background, share), color.a); };
+    for (const Layer layer : {Layer::Background, Layer::Trails, Layer::Bodies, Layer::Marks})
+    {
+        for (scenes::DrawnShape& shape : list.layer(layer).shapes)
+        {
+            shape.paint.fill = dimmed(shape.paint.fill);
+            shape.paint.line = dimmed(shape.paint.line);
+        }
+        for (scenes::DrawnLine& line : list.layer(layer).lines) line.color = dimmed(line.color);
+    }
+}
+
 /// Draws what a scenery holds, in sizes that suit the part of the world that is seen.
 class Pen
 {
 public:
-    Pen(const Scenery& scenery, float height, DrawList& list) : scenery_(scenery), height_(height), list_(list) {}
+    Pen(const Scenery& scenery, float height, DrawList& list)
+        : scenery_(scenery),
+          height_(height),
+          dot_(dot_radius(scenery, height)),
+          normal_width_(std::min(1.5f, 0.4f * 720 * dot_ / height)),
+          list_(list)
+    {
+    }
 
     void arrow(Vec2 from, Vec2 way, Color color) const
     {
@@ -103,14 +152,15 @@ public:
         list_.line(Layer::Marks, tip, tip + back - 0.5f * left_perp(back), color, 2);
     }
 
-    void dot(Vec2 at, Color color, float radius = 0.0045f) const { list_.disc(Layer::Marks, at, radius * height_, {.fill = color}); }
+    void dot(Vec2 at, Color color, float share = 1) const { list_.disc(Layer::Marks, at, share * dot_, {.fill = color}); }
 
     void contact_points() const
     {
         for_each_point([&](const DebugContact& contact, const ContactPoint& point)
         {
+            const Vec2 n = dot_ * contact.manifold.normal;
+            list_.line(Layer::Marks, point.position + 0.8f * n, point.position + 3.5f * n, normal_color, normal_width_);
             dot(point.position, contact.is_touching ? point_color : with_alpha(point_color, 0.4f));
-            list_.line(Layer::Marks, point.position, point.position + 0.018f * height_ * contact.manifold.normal, normal_color, 1.5f);
         });
     }
 
@@ -143,7 +193,7 @@ public:
             if (b) list_.line(Layer::Marks, b->center_of_mass, joint.anchor_b, with_alpha(joint_color, 0.6f), 1.5f);
             list_.line(Layer::Marks, joint.anchor_a, joint.anchor_b, joint_color, 1.5f);
             dot(joint.anchor_a, joint_color);
-            dot(joint.anchor_b, joint_color, 0.003f);
+            dot(joint.anchor_b, joint_color, 0.6f);
         }
     }
 
@@ -229,6 +279,8 @@ private:
 
     const Scenery& scenery_;
     float height_;
+    float dot_;          ///< radius of a point's mark [m]
+    float normal_width_; ///< of its normal, which must not hide it [1/720 of the picture's height]
     DrawList& list_;
 };
 
@@ -272,10 +324,10 @@ void draw_names(const World& world, const Scenery& scenery, float height, DrawLi
     }
 }
 
-bool wants_anything(const DrawOptions& o)
-{
-    return o.mass_centers || o.contacts || o.impulses || o.joints || o.islands || o.sleep || o.colors || o.velocities || o.names;
-}
+/// What is drawn over the bodies, with thin lines and small points.
+bool wants_marks(const DrawOptions& o) { return o.mass_centers || o.contacts || o.impulses || o.joints || o.colors || o.velocities; }
+
+bool wants_anything(const DrawOptions& o) { return wants_marks(o) || o.islands || o.sleep || o.names; }
 
 void draw_plain(const StepFilm& film, const Moment& moment, DrawList& list)
 {
@@ -352,6 +404,7 @@ void draw_overlay(const World& world, const DrawOptions& options, float height, 
     const Pen pen(scenery, height, list);
     if (options.islands) pen.islands();
     if (options.sleep) pen.sleepers();
+    if (wants_marks(options)) dim(list);
     if (options.colors) pen.graph_colors();
     if (options.joints) pen.joints();
     if (options.contacts) pen.contact_points();

@@ -23,6 +23,7 @@ struct DrawOptions
     bool colors = false;  ///< of the graph of contacts
     bool velocities = false;
     bool names = false;
+    bool grid = false; ///< of round distances, with a bar; gallery/grid.hpp draws it
 };
 
 /// @param height of the part of the world that is seen [m]

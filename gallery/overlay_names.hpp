@@ -29,6 +29,7 @@ inline constexpr std::array overlays = {
     OverlayName{"sleep", &DrawOptions::sleep, "grey for bodies that sleep and cost nothing"},
     OverlayName{"graph colours", &DrawOptions::colors, "contacts of one colour share no body, so that all of them can be solved at once"},
     OverlayName{"names", &DrawOptions::names, "names of bodies, or their numbers"},
+    OverlayName{"grid", &DrawOptions::grid, "round distances, and a bar that says how long one is (F6)"},
 };
 
 /// "contacts, impulses, ...", for messages; without the shapes, which are drawn anyway.

@@ -1,5 +1,7 @@
 #include "gallery/overlay.hpp"
 
+#include "gallery/theme.hpp"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -86,6 +88,40 @@ TEST(Overlay, outlines_a_body_that_is_there)
     world.destroy_body(body);
     draw_outline(world, body, scenes::paper, list);
     EXPECT_EQ(list.layer(Layer::Marks).shapes.size(), 1u);
+}
+
+TEST(Overlay, dims_what_lies_under_its_marks)
+{
+    World world;
+    world.create_body({.position = {0, 1}}, circle(0.5f));
+    DrawList plain;
+    plain.disc(Layer::Bodies, {0, 1}, 0.5f, {.fill = scenes::rgb(1, 1, 1), .line = scenes::rgb(0, 1, 0)});
+    plain.line(Layer::Marks, {}, {1, 1}, scenes::rgb(1, 0, 0));
+    const auto brightness = [](const DrawList& list) { return luminance(list.layer(Layer::Bodies).shapes[0].paint.fill); };
+    DrawList list = plain;
+    draw_overlay(world, {.contacts = true}, 20, list);
+    EXPECT_LT(brightness(list), 0.4f * brightness(plain));
+    EXPECT_LT(list.layer(Layer::Marks).lines[0].color.r, 0.6f);
+    list = plain;
+    draw_overlay(world, {.names = true}, 20, list);
+    EXPECT_EQ(brightness(list), brightness(plain)) << "names have rims and need no dark ground";
+}
+
+TEST(Overlay, keeps_the_points_of_a_crowd_apart)
+{
+    // Boxes of 1 m, in a picture of 100 m and in one of 10 m.
+    World world({.gravity = {0, -10}, .sleep = {.is_enabled = false}});
+    world.create_body({.type = BodyType::Static, .position = {0, -0.5f}}, box(200, 1));
+    for (int i = 0; i < 50; ++i) world.create_body({.position = {static_cast<float>(i), 0.5f}}, box(0.95f, 1));
+    for (int i = 0; i < 5; ++i) world.step(1 / 60.0f);
+    for (const float height : {10.0f, 100.0f})
+    {
+        const DrawList list = drawn(world, {.contacts = true}, height);
+        const auto& dots = list.layer(Layer::Marks).shapes;
+        ASSERT_GE(dots.size(), 100u);
+        for (const scenes::DrawnShape& dot : dots) EXPECT_LE(std::get<Circle>(dot.geometry).radius, std::min(0.18f, 0.0046f * height));
+        EXPECT_GE(std::get<Circle>(dots[0].geometry).radius, 0.0015f * height) << "it must be seen";
+    }
 }
 
 } // namespace carom::gallery

@@ -3,6 +3,9 @@
 
 #include "gallery/gallery.hpp"
 
+#include <array>
+#include <string>
+
 namespace carom::gallery
 {
 
@@ -25,5 +28,15 @@ void memory_tab(Gallery& gallery);
 void body_tab(Gallery& gallery);
 void inside_panel(Gallery& gallery);
 void help_text(const Gallery& gallery);
+void file_dialog_content(Gallery& gallery);
+void status_line(Gallery& gallery);
+
+/// A number of the status line, in words.
+struct StatusFigure
+{
+    std::string text;
+    const char* tip;
+};
+std::array<StatusFigure, 5> status_figures(const Gallery& gallery);
 
 } // namespace carom::gallery

@@ -1,13 +1,12 @@
 // The panel on the left: which scene, what it is about, and its parameters.
 #include "gallery/panels.hpp"
 #include "gallery/widgets.hpp"
-#include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <imgui_stdlib.h>
+#include <cctype>
+#include <functional>
 
 namespace carom::gallery
 {
@@ -28,29 +27,60 @@ bool is_found(const SceneInfo& info, const std::string& search)
     return all.find(scenes::lower_case(search)) != std::string::npos;
 }
 
-/// The groups in the order in which the list of scenes names them first.
-std::vector<std::string> groups()
+/// The scenes of the list: what is built in, and the files that were opened.
+std::vector<const SceneSource*> listed_sources(const Gallery& gallery)
 {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : scenes::all_scenes())
-        if (std::find(names.begin(), names.end(), info.group) == names.end()) names.push_back(info.group);
-    return names;
+    std::vector<const SceneSource*> sources;
+    for (const std::vector<SceneSource>& list : {std::cref(catalogue()), std::cref(gallery.session.opened_files())})
+        for (const SceneSource& source : list)
+            if (is_found(source.info(), gallery.search)) sources.push_back(&source);
+    return sources;
 }
 
-void scene_group(Gallery& gallery, const std::string& group)
+void scene_row(Gallery& gallery, const SceneSource& source, bool scrolls_here)
 {
-    bool has_title = false;
-    for (const SceneInfo& info : scenes::all_scenes())
+    const SceneInfo& info = source.info();
+    const bool is_open = info.name == gallery.session.source().info().name;
+    ImGui::PushID(info.name.c_str());
+    const bool is_clicked = ImGui::Selectable(info.title.c_str(), is_open);
+    ImGui::PopID();
+    gallery.widgets.note("scene " + info.name);
+    tip_of_last(source.file().empty() ? info.description : source.file().string());
+    if (is_open && scrolls_here && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+    if (!is_clicked) return;
+    gallery.listed = info.name; // it is in view already
+    source.file().empty() ? gallery.session.open(source) : gallery.session.open_file(source.file());
+}
+
+/// The title of a group with an arrow; a click folds the group. A search shows what it finds all the same.
+bool group_title(Gallery& gallery, const std::string& group)
+{
+    const bool is_searching = !gallery.search.empty();
+    ImGui::SetNextItemOpen(is_searching || !gallery.folded.contains(group));
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const bool is_open = ImGui::TreeNodeEx(group.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    ImGui::PopStyleColor();
+    gallery.widgets.note("group " + group);
+    if (is_searching) return true;
+    is_open ? static_cast<void>(gallery.folded.erase(group)) : static_cast<void>(gallery.folded.insert(group));
+    return is_open;
+}
+
+void scene_groups(Gallery& gallery, bool scrolls)
+{
+    const std::vector<const SceneSource*> sources = listed_sources(gallery);
+    std::vector<std::string> groups; // in the order in which the list names them first
+    for (const SceneSource* source : sources)
+        if (std::find(groups.begin(), groups.end(), source->info().group) == groups.end()) groups.push_back(source->info().group);
+    for (const std::string& group : groups)
     {
-        if (info.group != group || !is_found(info, gallery.search)) continue;
-        if (!std::exchange(has_title, true)) ImGui::TextDisabled("%s", group.c_str());
-        const bool is_open = info.name == gallery.session.scene().info().name;
-        ImGui::Indent(0.6f * ImGui::GetFontSize());
-        if (ImGui::Selectable(info.title.c_str(), is_open)) gallery.session.open(info.name);
-        gallery.widgets.note("scene " + info.name);
-        tip_of_last(info.description);
-        ImGui::Unindent(0.6f * ImGui::GetFontSize());
+        if (!group_title(gallery, group)) continue;
+        ImGui::Indent(0.9f * ImGui::GetFontSize());
+        for (const SceneSource* source : sources)
+            if (source->info().group == group) scene_row(gallery, *source, scrolls);
+        ImGui::Unindent(0.9f * ImGui::GetFontSize());
     }
+    if (sources.empty()) muted("No scene has \"" + gallery.search + "\" in its title, group or description.");
 }
 
 /// How the gallery's pointer reaches what the scene does with it.
@@ -87,14 +117,14 @@ std::string format_of(const ParameterInfo& info)
 bool number_widget(const ParameterInfo& info, ParameterValue& value)
 {
     const std::string format = format_of(info);
-    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    ImGuiSliderFlags flags = 0;
     const bool spans_magnitudes = info.min > 0 && info.max / info.min > 500;
     if (spans_magnitudes) flags |= ImGuiSliderFlags_Logarithmic;
     if (info.kind == ParameterKind::Real)
-        return ImGui::SliderScalar("##value", ImGuiDataType_Double, &std::get<double>(value), &info.min, &info.max, format.c_str(), flags);
+        return slider("##value", ImGuiDataType_Double, &std::get<double>(value), &info.min, &info.max, format.c_str(), flags);
     const auto min = static_cast<std::int64_t>(info.min);
     const auto max = static_cast<std::int64_t>(info.max);
-    return ImGui::SliderScalar("##value", ImGuiDataType_S64, &std::get<std::int64_t>(value), &min, &max, format.c_str(), flags);
+    return slider("##value", ImGuiDataType_S64, &std::get<std::int64_t>(value), &min, &max, format.c_str(), flags);
 }
 
 bool choice_widget(const ParameterInfo& info, ParameterValue& value)
@@ -157,15 +187,12 @@ void parameter_widget(Gallery& gallery, const ParameterInfo& info)
 
 void scene_list(Gallery& gallery, float height)
 {
-    ImGui::PushItemWidth(-FLT_MIN);
-    ImGui::InputTextWithHint("##search", "search scenes", &gallery.search);
-    gallery.widgets.note("search");
-    ImGui::PopItemWidth();
+    const std::string open = gallery.session.source().info().name; // a click below may open another
+    const bool is_other = gallery.listed != open;
+    if (is_other) gallery.folded.erase(gallery.session.source().info().group);
+    if (is_other) gallery.listed = open;
     ImGui::BeginChild("scenes", {0, height});
-    for (const std::string& group : groups()) scene_group(gallery, group);
-    const auto& all = scenes::all_scenes();
-    if (std::none_of(all.begin(), all.end(), [&](const SceneInfo& info) { return is_found(info, gallery.search); }))
-        muted("No scene has \"" + gallery.search + "\" in its title, group or description.");
+    scene_groups(gallery, is_other);
     ImGui::EndChild();
 }
 
@@ -216,7 +243,7 @@ void parameter_list(Gallery& gallery)
         ImGui::EndTable();
     }
     if (button(gallery, "Defaults", "all parameters as they were at first; the scene starts again"))
-        gallery.session.open(gallery.session.scene().info().name);
+        gallery.session.open(SceneSource(gallery.session.source()));
 }
 
 } // namespace carom::gallery

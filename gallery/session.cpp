@@ -1,8 +1,6 @@
 // Makes scenes, steps them, and keeps what is needed to show them.
 #include "gallery/session.hpp"
 
-#include "scenes/registry.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -37,9 +35,10 @@ private:
 
 } // namespace
 
-Session::Session(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed)
+Session::Session(const SceneSource& source, const scenes::ParameterValues& values, std::uint64_t seed) : source_(source), seed_(seed)
 {
-    take(scenes::make_scene(scene, values, seed));
+    take(source.make(values, seed));
+    remember(source);
 }
 
 void Session::take(std::unique_ptr<scenes::Scene> scene)
@@ -51,13 +50,39 @@ void Session::take(std::unique_ptr<scenes::Scene> scene)
     has_before_ = false;
     watched_ = {};
     say({});
+    apply_switches();
 }
 
-void Session::make(const std::string& name, const scenes::ParameterValues& values, std::uint64_t seed)
+bool Session::make(const SceneSource& source, const scenes::ParameterValues& values, std::uint64_t seed)
 {
     try
     {
-        take(scenes::make_scene(name, values, seed));
+        const bool is_other = source.info().name != source_.info().name;
+        std::unique_ptr<scenes::Scene> scene = source.make(values, seed);
+        if (is_other) switches_ = {};
+        source_ = source;
+        seed_ = seed;
+        take(std::move(scene));
+        return true;
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+        return false;
+    }
+}
+
+void Session::open(const SceneSource& source)
+{
+    const SceneSource chosen = source; // it may be one of opened_
+    if (make(chosen, {}, 1)) remember(chosen);
+}
+
+void Session::open(const std::string& name)
+{
+    try
+    {
+        open(find_source(name));
     }
     catch (const std::exception& error)
     {
@@ -65,20 +90,121 @@ void Session::make(const std::string& name, const scenes::ParameterValues& value
     }
 }
 
-void Session::open(const std::string& name) { make(name, {}, 1); }
+void Session::open_file(const std::filesystem::path& file)
+{
+    try
+    {
+        open(SceneSource::of_file(file));
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+    }
+}
+
+/// Keeps a file for the list of scenes, and looks after it.
+void Session::remember(const SceneSource& source)
+{
+    watch_.reset();
+    if (source.file().empty()) return;
+    watch_.emplace(source.file());
+    const auto is_it = [&](const SceneSource& opened) { return opened.file() == source.file(); };
+    if (const auto old = std::find_if(opened_.begin(), opened_.end(), is_it); old != opened_.end())
+        *old = source;
+    else
+        opened_.push_back(source);
+}
+
+void Session::reload_when_changed()
+{
+    constexpr std::chrono::milliseconds between_looks{100};
+    if (!watch_ || SteadyClock::now() < next_look_) return;
+    next_look_ = SteadyClock::now() + between_looks;
+    if (watch_->has_changed()) reload();
+}
+
+/// A file that is broken now leaves the scene as it is.
+void Session::reload()
+{
+    scenes::ParameterValues changed;
+    for (const scenes::ParameterInfo& info : scene_->parameters().infos())
+        if (const scenes::ParameterValue& value = scene_->parameters().value(info.name); value != info.initial)
+            changed.emplace_back(info.name, value);
+    try
+    {
+        const SceneSource source = SceneSource::of_file(watch_->file());
+        if (!make(source, changed, seed_)) return;
+        remember(source);
+        mention("Read " + source.file().string() + " again");
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+    }
+}
 
 void Session::open_neighbor(int steps)
 {
-    const auto& all = scenes::all_scenes();
-    const auto is_this = [this](const scenes::SceneInfo& info) { return info.name == scene_->info().name; };
+    const std::vector<SceneSource>& all = catalogue();
+    const auto is_this = [this](const SceneSource& source) { return source.info().name == source_.info().name; };
+    // A file lies behind the end of the list.
     const auto place = std::find_if(all.begin(), all.end(), is_this) - all.begin();
     const auto count = static_cast<std::ptrdiff_t>(all.size());
-    open(all[static_cast<std::size_t>(((place + steps) % count + count) % count)].name);
+    const std::ptrdiff_t start = place == count && steps > 0 ? -1 : place;
+    open(all[static_cast<std::size_t>(((start + steps) % count + count) % count)]);
 }
 
 void Session::restart() { restart_with(seed()); }
 
-void Session::restart_with(std::uint64_t seed) { make(scene_->info().name, scene_->parameters().values(), seed); }
+void Session::restart_with(std::uint64_t seed) { make(source_, scene_->parameters().values(), seed); }
+
+bool Session::is_on(EngineSwitch which) const
+{
+    const World& world = scene_->world();
+    switch (which)
+    {
+    case EngineSwitch::Sleep: return world.sleep_tuning().is_enabled;
+    case EngineSwitch::Continuous: return world.is_continuous();
+    case EngineSwitch::WarmStarting: break;
+    }
+    return world.solver_tuning().warm_starting;
+}
+
+void Session::set_switch(EngineSwitch which, bool is_on)
+{
+    const char* const name = which == EngineSwitch::Sleep ? "sleep" : which == EngineSwitch::Continuous ? "continuous" : "warm_starting";
+    const auto infos = scene_->parameters().infos();
+    const bool is_parameter = std::any_of(infos.begin(), infos.end(), [&](const scenes::ParameterInfo& info) { return info.name == name; });
+    if (is_parameter) return set_parameter(name, is_on); // the scene's own switch shows the same
+    switches_[static_cast<std::size_t>(which)] = is_on;
+    try
+    {
+        apply_switches();
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what()); // a step that failed has stopped the world
+    }
+}
+
+void Session::apply_switches()
+{
+    World& world = scene_->world();
+    const auto wanted = [&](EngineSwitch which) { return switches_[static_cast<std::size_t>(which)].value_or(is_on(which)); };
+    if (const bool sleeps = wanted(EngineSwitch::Sleep); sleeps != is_on(EngineSwitch::Sleep))
+    {
+        SleepTuning tuning = world.sleep_tuning();
+        tuning.is_enabled = sleeps;
+        world.set_sleep_tuning(tuning);
+    }
+    if (const bool continuous = wanted(EngineSwitch::Continuous); continuous != world.is_continuous()) world.set_continuous(continuous);
+    if (const bool warm = wanted(EngineSwitch::WarmStarting); warm != is_on(EngineSwitch::WarmStarting))
+    {
+        SolverTuning tuning = world.solver_tuning();
+        tuning.warm_starting = warm;
+        world.set_solver_tuning(tuning);
+    }
+}
 
 void Session::set_parameter(const std::string& name, const scenes::ParameterValue& value)
 {
@@ -87,7 +213,7 @@ void Session::set_parameter(const std::string& name, const scenes::ParameterValu
     {
         scene_->set_parameter(name, value);
         if (scenes::find_parameter(scene_->parameters().infos(), name).applies == scenes::Applies::Live) return;
-        take(scenes::restarted(*scene_));
+        take(source_.make(scene_->parameters().values(), seed_));
     }
     catch (const std::exception& error)
     {
@@ -133,6 +259,7 @@ void Session::advance(double elapsed)
 {
     constexpr double longest = 0.05; // what a frame may spend on steps [s]: the window must stay usable
     const SteadyClock::time_point start = SteadyClock::now();
+    reload_when_changed();
     const double time_before = scene_->time();
     step_seconds_ = 0;
     const int due = is_inside() ? 0 : clock_.advance(elapsed, static_cast<double>(scene_->time_step()));

@@ -3,43 +3,68 @@
 
 #include "gallery/blend.hpp"
 #include "gallery/clock.hpp"
+#include "gallery/file_watch.hpp"
 #include "gallery/overlay.hpp"
+#include "gallery/scene_source.hpp"
 #include "gallery/stage_meter.hpp"
 #include "gallery/step_film.hpp"
 #include "scenes/scene.hpp"
 
+#include <array>
 #include <chrono>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace carom::gallery
 {
+
+/// Parts of the engine that can be switched off, to see what they are for.
+enum class EngineSwitch
+{
+    Sleep,
+    Continuous,
+    WarmStarting
+};
+inline constexpr int engine_switch_count = 3;
 
 class Session
 {
 public:
     /// @throws SceneError
-    Session(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed);
+    Session(const SceneSource& source, const scenes::ParameterValues& values, std::uint64_t seed);
+    Session(std::string_view scene, const scenes::ParameterValues& values, std::uint64_t seed) : Session(find_source(scene), values, seed)
+    {
+    }
+
+    const SceneSource& source() const { return source_; }                    ///< of the scene that is being played
+    const std::vector<SceneSource>& opened_files() const { return opened_; } ///< in this session, the latest last
 
     scenes::Scene& scene() { return *scene_; }
     const scenes::Scene& scene() const { return *scene_; }
     Clock& clock() { return clock_; }
     const Clock& clock() const { return clock_; }
     const StageMeter& meter() const { return meter_; }
-    std::uint64_t seed() const { return scene_->seed(); }
+    std::uint64_t seed() const { return seed_; }
     /// Counts the scenes that were made: whoever keeps ids of one world sees that they are stale.
     int generation() const { return generation_; }
 
     // Each makes a new scene; when that can't be, it says why and the old one goes on.
-    void open(const std::string& name);
-    void open_neighbor(int steps); ///< the next scene of the list, or the one before
-    void restart();                ///< with the parameters as they are now
+    void open(const SceneSource& source);
+    void open(const std::string& name);                ///< a scene that is built in
+    void open_file(const std::filesystem::path& file); ///< and opens it again whenever it changes on disk
+    void open_neighbor(int steps);                     ///< the next scene of the list, or the one before
+    void restart();                                    ///< with the parameters as they are now
     void restart_with(std::uint64_t seed);
     /// Acts at once, or by a restart when the parameter needs one. Says why when the value can't be had.
     void set_parameter(const std::string& name, const scenes::ParameterValue& value);
+
+    bool is_on(EngineSwitch which) const;
+    /// Acts at once, and stays over restarts of this scene.
+    void set_switch(EngineSwitch which, bool is_on);
 
     /// Steps as much as the clock says. An error of a step pauses the scene and is said.
     /// @param elapsed since the frame before [s]
@@ -72,10 +97,21 @@ public:
 
 private:
     void take(std::unique_ptr<scenes::Scene> scene);
-    void make(const std::string& name, const scenes::ParameterValues& values, std::uint64_t seed);
+    bool make(const SceneSource& source, const scenes::ParameterValues& values, std::uint64_t seed);
+    void remember(const SceneSource& source);
+    void reload_when_changed();
+    void reload();
+    void apply_switches();
     bool step(StepFilm* film);
     void keep_before();
     void measure(double elapsed, double simulated);
+
+    SceneSource source_;
+    std::uint64_t seed_ = 1;
+    std::array<std::optional<bool>, engine_switch_count> switches_; ///< by EngineSwitch; none: as the scene has it
+    std::vector<SceneSource> opened_;
+    std::optional<FileWatch> watch_;                  ///< of the scene's file; none for a scene that is built in
+    std::chrono::steady_clock::time_point next_look_; ///< at that file
 
     std::unique_ptr<scenes::Scene> scene_;
     int generation_ = 0;

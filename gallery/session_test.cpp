@@ -145,12 +145,12 @@ TEST(Session, shows_motion_between_steps)
 
 TEST(Session, goes_to_neighbours_around_the_list)
 {
-    const auto& all = scenes::all_scenes();
-    Session session(all.front().name, {}, 1);
+    const auto& all = catalogue();
+    Session session(all.front(), {}, 1);
     session.open_neighbor(-1);
-    EXPECT_EQ(session.scene().info().name, all.back().name);
+    EXPECT_EQ(session.source().info().name, all.back().info().name);
     session.open_neighbor(1);
-    EXPECT_EQ(session.scene().info().name, all.front().name);
+    EXPECT_EQ(session.source().info().name, all.front().info().name);
 }
 
 TEST(Session, restarts_when_a_parameter_needs_it_and_keeps_it)

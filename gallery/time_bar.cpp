@@ -4,6 +4,7 @@
 #include "gallery/widgets.hpp"
 
 #include <cstdio>
+#include <string>
 
 namespace carom::gallery
 {
@@ -41,9 +42,9 @@ void speed_slider(Gallery& gallery)
     Clock& clock = gallery.session.clock();
     auto speed = static_cast<float>(clock.speed());
     ImGui::PushItemWidth(8 * ImGui::GetFontSize());
-    const bool is_changed = ImGui::SliderFloat("speed", &speed, static_cast<float>(Clock::slowest), static_cast<float>(Clock::fastest),
-                                               "%.2f x", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    if (is_changed) clock.set_speed(static_cast<double>(speed));
+    if (slider("speed", speed, static_cast<float>(Clock::slowest), static_cast<float>(Clock::fastest), "%.2f x",
+               ImGuiSliderFlags_Logarithmic))
+        clock.set_speed(static_cast<double>(speed));
     gallery.widgets.note("speed");
     tip_of_last("simulated seconds in a second: slow motion below 1 (, and .)");
     ImGui::PopItemWidth();
@@ -57,15 +58,13 @@ void rates(Gallery& gallery)
     float hertz = scene.parameters().real(rate.name);
     int substeps = scene.parameters().integer(parts.name);
     ImGui::PushItemWidth(7 * ImGui::GetFontSize());
-    if (ImGui::SliderFloat("hertz", &hertz, static_cast<float>(rate.min), static_cast<float>(rate.max), "%.0f /s",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+    if (slider("hertz", hertz, static_cast<float>(rate.min), static_cast<float>(rate.max), "%.0f /s", ImGuiSliderFlags_Logarithmic))
         gallery.session.set_parameter(rate.name, static_cast<double>(hertz));
     gallery.widgets.note("hertz");
     tip_of_last("steps in a second of simulated time");
     flow_to_slider(5, "substeps");
     ImGui::PushItemWidth(5 * ImGui::GetFontSize());
-    if (ImGui::SliderInt("substeps", &substeps, static_cast<int>(parts.min), static_cast<int>(parts.max), "%d",
-                         ImGuiSliderFlags_AlwaysClamp))
+    if (slider("substeps", substeps, static_cast<int>(parts.min), static_cast<int>(parts.max), "%d"))
         gallery.session.set_parameter(parts.name, static_cast<std::int64_t>(substeps));
     gallery.widgets.note("substeps");
     tip_of_last("parts into which the solver divides a step: more make piles stiffer");
@@ -73,24 +72,42 @@ void rates(Gallery& gallery)
     ImGui::PopItemWidth();
 }
 
+void engine_switch(Gallery& gallery, const char* label, EngineSwitch which, const char* tip)
+{
+    bool is_on = gallery.session.is_on(which);
+    flow_to_slider(1.5f, label);
+    if (checkbox(gallery, label, is_on, tip)) gallery.session.set_switch(which, is_on);
+}
+
+std::string time_words(const Session& session)
+{
+    char words[64];
+    if (session.clock().is_paused())
+        std::snprintf(words, sizeof words, "paused at %.2f s", session.scene().time());
+    else
+        std::snprintf(words, sizeof words, "%.1f s, %.2f x real time", session.scene().time(), session.real_time_factor());
+    return words;
+}
+
 } // namespace
 
 void time_bar(Gallery& gallery)
 {
     run_buttons(gallery);
+    flow_to_slider(8, "speed");
     speed_slider(gallery);
     flow_to_slider(7, "hertz");
     rates(gallery);
     flow_to_slider(1.5f, "smooth");
     checkbox(gallery, "smooth", gallery.draw.is_blended,
              "show motion between steps, so that it does not depend on the rates of steps and frames");
-    char words[64];
-    if (gallery.session.clock().is_paused())
-        std::snprintf(words, sizeof words, "paused at %.2f s", gallery.session.scene().time());
-    else
-        std::snprintf(words, sizeof words, "%.1f s, %.2f x real time", gallery.session.scene().time(), gallery.session.real_time_factor());
-    flow(words);
-    ImGui::TextDisabled("%s", words);
+    engine_switch(gallery, "sleeping", EngineSwitch::Sleep, "bodies that have come to rest cost nothing until something wakes them");
+    engine_switch(gallery, "continuous", EngineSwitch::Continuous, "fast bodies are stopped at what they would pass through");
+    engine_switch(gallery, "warm starting", EngineSwitch::WarmStarting,
+                  "a step begins with the impulses of the last one; without that, tall piles sink in");
+    const std::string words = time_words(gallery.session);
+    flow(words.c_str());
+    ImGui::TextDisabled("%s", words.c_str());
 }
 
 } // namespace carom::gallery

@@ -36,7 +36,8 @@ void View::follow(std::optional<Vec2> center)
 float View::points_per_metre() const
 {
     const Vec2 size = free_.size();
-    return zoom_ * std::min(size.y, size.x / aspect) / base_.height;
+    const float width = base_.width > 0 ? base_.width : aspect * base_.height;
+    return zoom_ * std::min(size.y / base_.height, size.x / width);
 }
 
 scenes::Camera View::camera() const

@@ -40,6 +40,7 @@ public:
     Vec2 to_world(Vec2 points) const { return scenes::to_world(camera(), window_, points); }
     Vec2 to_points(Vec2 world) const { return scenes::to_pixels(camera(), window_, world); }
     float points_per_metre() const;
+    float window_aspect() const { return static_cast<float>(window_.width) / static_cast<float>(window_.height); } ///< width over height
 
     /// The picture moves with the pointer.
     void pan(Vec2 points);

@@ -14,6 +14,13 @@ namespace carom::gallery
 /// A checkbox that is noted in the map of widgets.
 bool checkbox(Gallery& gallery, const char* label, bool& value, const char* tip = nullptr);
 bool button(Gallery& gallery, const char* label, const char* tip = nullptr);
+/// A slider whose number is always readable: the value is marked on the lower edge, where no letters are. Ctrl and a click let it be typed.
+bool slider(const char* label, ImGuiDataType type, void* value, const void* min, const void* max, const char* format,
+            ImGuiSliderFlags flags);
+bool slider(const char* label, float& value, float min, float max, const char* format, ImGuiSliderFlags flags = 0);
+bool slider(const char* label, int& value, int min, int max, const char* format);
+/// For words that say what is wrong.
+ImVec4 warning_color(ThemeKind theme);
 /// Goes on in the line of the widget before when the next one fits there.
 /// @param width that it takes [points]
 void flow(float width);

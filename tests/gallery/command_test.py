@@ -39,6 +39,8 @@ class Refusals(unittest.TestCase):
             (["--screenshot", "\"x.jpg\"", ".png"], ["--screenshot", "x.jpg"]),
             (["\\x1b[31m"], ["--scene", "\x1b[31m"]),
             (["--nope", "--help"], ["--nope"]),
+            (["nowhere.json"], ["nowhere.json"]),
+            (["FILE", "--scene"], ["--scene", "arch", "nowhere.json"]),
         ]:
             with self.subTest(arguments):
                 self.check(2, words, *arguments, **OFFSCREEN)

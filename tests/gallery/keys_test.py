@@ -71,7 +71,11 @@ class Keys(GalleryTest):
         with_panels = g.widgets()["scene"]
         size = g.window.get_geometry()
         g.key("Tab")
+        status = g.widgets()["status"]
+        g.until(lambda: g.widgets()["scene"] == [0, 0, size.width, status[1]], "the scene to have all but the status line")
+        g.key("F5")
         g.until(lambda: g.widgets()["scene"] == [0, 0, size.width, size.height], "the scene to have the whole window")
+        g.key("F5")
         g.until(lambda: not is_empty(g.shot()), "the scene")
         self.assertNotIn("tab Look", g.widgets())
         g.key("Tab")

@@ -1,4 +1,6 @@
 """The panels: parameters, broad phases, what is drawn, the inspector."""
+import json
+import os
 import unittest
 
 from driver import GalleryTest, changed, count, where
@@ -19,7 +21,7 @@ class Parameters(GalleryTest):
     def reveal(self, name):
         """Scrolls the panel on the left until a widget is in sight."""
         g = self.g
-        over_panel = (g.widgets()["scene"][0] / 2, g.window.get_geometry().height - 60)
+        over_panel = (g.widgets()["scene"][0] / 2, g.widgets()["scene"][3] - 40)
         for _ in range(40):
             place = g.widgets().get(name)
             if place and place[3] - place[1] > 15:
@@ -75,7 +77,7 @@ class BroadPhases(GalleryTest):
         g = self.gallery("--scene", "triggers", size=(1280, 760))
         g.click_widget("tab Broad phase")
         place = g.widget("BruteForce")
-        below = (int(place[0]), int(place[3]) + 60, g.window.get_geometry().width - 20, g.window.get_geometry().height - 20)
+        below = (int(place[0]), int(place[3]) + 60, g.window.get_geometry().width - 20, g.scene_area()[3] - 10)
         bodies = g.bodies()
         for name in [*BROAD_PHASES, "BruteForce"]:
             g.pause()
@@ -115,7 +117,7 @@ class Look(GalleryTest):
         g.frames(30)
         g.pause()
         for name in ["shapes", "contacts", "impulses", "joints", "velocities", "mass centres", "islands", "graph colours", "names",
-                     "bounds", "broad phase", "light theme", "colour-blind safe"]:
+                     "grid", "bounds", "broad phase", "light theme", "colour-blind safe"]:
             with self.subTest(name):
                 self.check_box(g, name)
 
@@ -156,11 +158,94 @@ class Look(GalleryTest):
     def test_every_tab_opens(self):
         g = self.gallery("--scene", "card-house", size=(1280, 760))
         size = g.window.get_geometry()
-        area = (g.scene_area()[2] + 10, 60, size.width - 10, size.height - 10)
+        area = (g.scene_area()[2] + 10, 60, size.width - 10, g.scene_area()[3] - 10)
         for name in ["Times", "Broad phase", "Memory", "Body", "Look"]:
             before = g.shot(area)
             g.click_widget(f"tab {name}")
             g.until(lambda: changed(before, g.shot(area)) > 1000, f"the tab {name}")
+
+
+class Layout(GalleryTest):
+    """Panels that fold and are dragged, the line below, and files that are opened."""
+
+    def width(self, g):
+        left, _, right, _ = g.widgets()["scene"]
+        return right - left
+
+    def until_width(self, g, condition, what):
+        g.until(lambda: condition(self.width(g)), what)
+
+    def test_panels_fold_and_their_edges_are_dragged(self):
+        g = self.gallery(size=(1280, 760))
+        usual = self.width(g)
+        self.assertGreaterEqual(usual, 640)
+        for side, key in (("left", "F2"), ("right", "F3")):
+            g.click_widget(f"fold {side}")
+            self.until_width(g, lambda width: width > usual + 150, f"the panel on the {side} to fold")
+            g.key(key)
+            self.until_width(g, lambda width: width == usual, f"the panel on the {side} to open")
+        left, top, right, bottom = g.widget("left edge")
+        g.drag(((left + right) / 2, (top + bottom) / 2), ((left + right) / 2 + 80, (top + bottom) / 2))
+        self.until_width(g, lambda width: abs(width - usual + 80) < 8, "the scene to be narrower")
+        below = g.widgets()["scene"][3]
+        g.key("F4")
+        g.until(lambda: g.widgets()["scene"][3] > below + 20, "the bar of time to fold")
+        self.assertNotIn("speed", g.widgets())
+
+    def test_a_small_window_has_room_for_the_scene(self):
+        g = self.gallery(size=(800, 600))
+        left, top, right, bottom = g.widgets()["scene"]
+        self.assertGreater((right - left) * (bottom - top), 0.5 * 800 * 600)
+        for name in ("speed", "hertz", "substeps", "warm starting", "scene planets"):
+            place = g.widget(name)
+            self.assertLessEqual(place[2], 800, name)
+            self.assertLessEqual(place[3], 600, name)
+        g.click_widget("fold right")
+        g.until(lambda: "tab Body" in g.widgets(), "the tabs in place of the scenes")
+        self.assertGreaterEqual(self.width(g), 400)
+        self.assertNotIn("search", g.widgets())
+
+    def test_the_list_shows_the_open_scene_and_groups_fold(self):
+        g = self.gallery("--scene", "spinner")
+        g.until(lambda: "scene spinner" in g.widgets(), "the list to be scrolled to the open scene")
+        g.click_widget("group Benchmarks")
+        g.until(lambda: "scene spinner" not in g.widgets(), "the group to fold")
+        g.key("[")
+        g.until(lambda: "scene joint_grid" in g.widgets(), "the group to open for a scene that is opened in it")
+
+    def test_switches_of_the_engine(self):
+        g = self.gallery("--scene", "gravity", size=(1280, 760))
+        for name in ("sleeping", "continuous", "warm starting"):
+            place = g.widget(name)
+            area = [round(v) for v in (place[0] + 2, place[1] + 2, place[0] + 20, place[3] - 2)]
+            g.move(g.middle())
+            on = g.shot(area)
+            g.click_box(name)
+            g.move(g.middle())
+            g.until(lambda: changed(on, g.shot(area)) > 20, f"{name} to be off")
+            g.key("r")
+            g.frames(3)
+            self.assertGreater(changed(on, g.shot(area)), 20, f"{name} must stay off over a restart")
+
+    def test_a_file_is_opened_by_the_dialog_and_read_again(self):
+        g = self.gallery()
+
+        def write(name, balls):
+            bodies = [{"position": [2 * i, 5], "shapes": [{"circle": {"radius": 0.5}}]} for i in range(balls)]
+            with open(os.path.join(g.folder, name), "w") as file:
+                json.dump({"carom_scene": 1, "name": "Balls", "bodies": bodies}, file)
+
+        write("balls.json", 3)
+        g.key("o", hold=["Control_L"])
+        g.click_widget("dialog balls.json")
+        g.click_widget("Open")
+        g.until_title("Balls - 3 bodies")
+        write("balls.json", 6)
+        g.until_title("Balls - 6 bodies")
+        with open(os.path.join(g.folder, "balls.json"), "w") as file:
+            file.write("{")
+        g.until(lambda: "Close" in g.widgets(), "a message")
+        self.assertEqual(g.bodies(), 6)
 
 
 class Inspector(GalleryTest):
