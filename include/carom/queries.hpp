@@ -48,6 +48,10 @@ struct Ray
 /// stuck is told; who wants to pass through what it starts in asks starts_inside, or ignores the shape by the filter. A cast that starts
 /// on a surface, within 5 um, meets it only if it leads inwards: a ray can start where another one ended, and a box slides along the floor
 /// that it lies on. A segment has no inside: a ray that starts on it does not meet it.
+///
+/// A surface belongs to its shape. So a cast that comes from outside and only grazes a shape meets it: a ray exactly along a face, through a
+/// corner, or along the tangent of a circle or of a rounding. A ray along a face meets the corner at which the face begins. Every query
+/// that casts keeps this rule, as far as rounding can tell the cases apart.
 struct CastHit
 {
     ShapeId shape;
