@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace carom::detail
@@ -83,6 +85,19 @@ bool are_parts_of_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b)
     const BodyRecord& record_b = bodies.records[b];
     const bool have_joints = record_a.first_joint != null_index && record_b.first_joint != null_index;
     return have_joints && record_a.island != null_index && record_a.island == record_b.island;
+}
+
+/// An order of shapes on their ways that doesn't depend on when they were created: thin ones first, those without an inside last, and of equal
+/// ones the one that goes farther.
+bool goes_first(const Geometry& a, const Sweep& way_a, const Geometry& b, const Sweep& way_b)
+{
+    const auto rank = [](const Geometry& shape, const Sweep& way)
+    {
+        const float thickness = inner_radius(shape);
+        return std::tuple(thickness > 0 ? thickness : std::numeric_limits<float>::max(), outer_radius(shape, middle_of(shape)),
+                          shape.index(), -length(center_way(way)));
+    };
+    return rank(a, way_a) < rank(b, way_b);
 }
 
 /// Along each axis the shorter of two ways, or none when they are opposed: it stays within the bounds of both.
@@ -183,6 +198,14 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     if (!verdict.is_sensor && are_parts_of_one(near.bodies, near.shapes.records[shape].body, body)) return;
     std::uint32_t other_mover = mover_of_body_[body];
     if (other_mover == mover) return;
+    // The core of A must not go into B. Of two fast bodies A is the thinner one, whichever was created first.
+    const bool are_both_fast = other_mover != null_index && movers_[other_mover].is_fast;
+    if (are_both_fast &&
+        goes_first(near.shapes.geometry[other], movers_[other_mover].sweep, near.shapes.geometry[shape], movers_[mover].sweep))
+    {
+        std::swap(mover, other_mover);
+        std::swap(shape, other);
+    }
     if (verdict.is_sensor)
     {
         sensor_pairs_.push_back({mover, other_mover, shape, other});
@@ -272,12 +295,12 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const float thickness = inner_radius(geometry);
     const float other_thickness = inner_radius(other);
     const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
-    const float least_way = movers_[pair.mover_a].is_bullet ? 0 : fast_way(thinner);
     const auto is_dynamic = [&](std::uint32_t shape) { return near.bodies.is_dynamic(near.shapes.records[shape].body); };
     const auto is_held = [&](std::uint32_t shape)
     { return near.bodies.records[near.shapes.records[shape].body].first_joint != null_index; };
     const bool are_held = is_held(pair.shape_a) && is_held(pair.shape_b);
     const bool has_bullet = movers_[pair.mover_a].is_bullet || (pair.mover_b != null_index && movers_[pair.mover_b].is_bullet);
+    const float least_way = has_bullet ? 0 : fast_way(thinner);
     const bool are_dynamic = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
     const bool are_crowded = !has_bullet && !are_held && length(center_way(way_a) - center_way(way_b)) < crowded_way * thinner;
     const float first_share = !are_dynamic ? sliding_share : are_crowded ? crowding_share : grazing_share;
