@@ -93,6 +93,18 @@ struct Linked
         ASSERT_EQ(static_cast<std::size_t>(islands.count()), islands.awake().size());
     }
 
+    /// For each body the lowest one in its island.
+    std::vector<std::uint32_t> groups() const
+    {
+        std::vector<std::uint32_t> lowest(bodies.records.size());
+        for (std::uint32_t body = 0; body < lowest.size(); ++body)
+        {
+            lowest[body] = 0;
+            while (bodies.records[lowest[body]].island != bodies.records[body].island) ++lowest[body];
+        }
+        return lowest;
+    }
+
     BodyStore bodies{*std::pmr::new_delete_resource()};
     ContactStore contacts{*std::pmr::new_delete_resource()};
     JointStore joints{*std::pmr::new_delete_resource()};
@@ -137,7 +149,30 @@ TEST(IslandStore, FollowsRandomHistories)
     }
 }
 
-TEST(IslandStore, TheOrderOfLinksDecidesNothingButNumbers)
+/// Every order of six links, one of which closes a ring, and both orders of the bodies in each.
+TEST(IslandStore, the_order_of_links_does_not_show_in_the_islands)
+{
+    using Link = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<Link> links = {{0, 1}, {0, 2}, {1, 2}, {2, 6}, {3, 5}, {4, 5}};
+    const std::vector<std::uint32_t> linked = {0, 0, 0, 3, 3, 3, 0, 7};
+    const std::vector<std::uint32_t> cut = {0, 0, 0, 3, 3, 3, 6, 7}; // without 2-6; the ring holds without 0-1
+    for (const bool is_swapped : {false, true})
+    {
+        do
+        {
+            Linked world(8);
+            for (const auto& [a, b] : links) is_swapped ? world.link(b, a) : world.link(a, b);
+            ASSERT_EQ(world.groups(), linked);
+            ASSERT_EQ(world.islands.count(), 3);
+            for (const auto& [a, b] : {Link{2, 6}, Link{0, 1}}) is_swapped ? world.unlink(b, a) : world.unlink(a, b);
+            world.split_all();
+            ASSERT_EQ(world.groups(), cut);
+            ASSERT_EQ(world.islands.count(), 4);
+        } while (std::next_permutation(links.begin(), links.end()));
+    }
+}
+
+TEST(IslandStore, an_island_sleeps_and_wakes_as_a_whole)
 {
     Linked world(3);
     world.link(0, 1);
@@ -148,6 +183,7 @@ TEST(IslandStore, TheOrderOfLinksDecidesNothingButNumbers)
     EXPECT_FALSE(world.islands.is_awake(world.bodies.records[1].island));
     world.islands.mark_awake(world.bodies.records[0].island);
     EXPECT_EQ(world.islands.awake().size(), 1u);
+    EXPECT_TRUE(world.islands.is_awake(world.bodies.records[1].island));
 }
 
 } // namespace carom::detail

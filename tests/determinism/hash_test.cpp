@@ -46,7 +46,7 @@ std::uint64_t run_mixed_world(BroadPhaseType first, bool switches)
             world.destroy_body(victim);
             victim = world.create_body({.position = {x, 25}}, circle(0.2f));
         }
-        if (switches && i % 20 == 0) world.set_broad_phase(all_broad_phases[static_cast<std::size_t>(i / 20 % 4)]);
+        if (switches && i % 20 == 0) world.set_broad_phase(all_broad_phases[static_cast<std::size_t>(i) / 20 % all_broad_phases.size()]);
     }
     return world.hash();
 }
