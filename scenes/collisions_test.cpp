@@ -130,8 +130,9 @@ TEST(Collisions, two_that_meet_take_one_colour)
         }
         return Color{};
     };
+    EXPECT_NE(color_at(contact.shape_a), Color{});
     EXPECT_EQ(color_at(contact.shape_a), color_at(contact.shape_b));
-    EXPECT_EQ(list.layer(Layer::Marks).shapes.empty(), false);
+    EXPECT_FALSE(list.layer(Layer::Marks).shapes.empty());
 }
 
 TEST(Collisions, adds_bodies_only_between_the_walls)

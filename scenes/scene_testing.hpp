@@ -3,6 +3,8 @@
 
 #include "scenes/scene.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <span>
 #include <string>
@@ -48,9 +50,10 @@ inline BodyId body_named(const Scene& scene, std::string_view name)
     return {};
 }
 
-/// The largest error of any joint at the end of any of so many steps [m].
+/// The largest error of any joint at the end of any of so many steps [m]. A scene without joints is a failure.
 inline float largest_joint_error(Scene& scene, int steps)
 {
+    EXPECT_GT(scene.world().joint_count(), 0);
     float largest = 0;
     for (int i = 0; i < steps; ++i)
     {
@@ -79,16 +82,18 @@ inline std::vector<float> farthest_ways(Scene& scene, std::span<const BodyId> bo
     return farthest;
 }
 
-/// The largest of them.
+/// The largest of them. No bodies are a failure.
 inline float farthest_way(Scene& scene, std::span<const BodyId> bodies, int steps)
 {
+    EXPECT_FALSE(bodies.empty());
     const std::vector<float> ways = farthest_ways(scene, bodies, steps);
     return ways.empty() ? 0 : *std::max_element(ways.begin(), ways.end());
 }
 
-/// How often in so many steps a dynamic body's centre of mass was outside of a field.
+/// How often in so many steps a dynamic body's centre of mass was outside of a field. A scene without dynamic bodies is a failure.
 inline int times_outside(Scene& scene, const Aabb& field, int steps)
 {
+    EXPECT_FALSE(dynamic_bodies(scene).empty());
     int count = 0;
     for (int i = 0; i < steps; ++i)
     {

@@ -229,13 +229,16 @@ TEST(Snapshot, finds_the_angle_from_which_a_rotation_was_made)
 
 TEST(Snapshot, of_every_scene_plays_to_the_same_bits_or_says_that_it_does_not)
 {
+    int played = 0;
     for (const scenes::SceneInfo& info : scenes::all_scenes())
     {
         const auto scene = scenes::make_scene(info.name);
         const SceneFile file = snapshot_of(*scene);
         if (!file.notes.empty()) continue;
+        ++played;
         expect_the_same(*scene, 30);
     }
+    EXPECT_GE(played, 4);
 }
 
 TEST(FileScene, plays_as_the_player_does)
