@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr std::size_t smallest_capacity = 16;
+static_assert(std::has_single_bit(smallest_capacity), "places are cut out of a hash by a mask");
 
 /// Every bit of the key reaches every bit of the result: neighbouring pairs must not fall into neighbouring cells, or runs grow.
 /// @source Pelle Evensen's and David Stafford's variants of the MurmurHash3 finaliser ("Mix13", as in SplitMix64)

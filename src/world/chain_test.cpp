@@ -108,6 +108,26 @@ TEST_F(ChainTest, what_lies_on_it_falls_when_it_goes_and_the_end_is_told)
     EXPECT_LT(world.body(ball).position().y, 0);
 }
 
+TEST_F(ChainTest, only_its_own_contacts_end_when_it_goes)
+{
+    world.create_shape(ground, offset_box(6, 1, {-10, -0.5f}));
+    const ChainId chain = world.create_chain(ground, {.points = line});
+    std::vector<BodyId> balls;
+    for (const float x : {-12.0f, 1.0f, -10.0f, 2.0f, -8.0f}) balls.push_back(world.create_body({.position = {x, 1.1f}}, circle(0.5f)));
+    for (int i = 0; i < 60; ++i) world.step(1 / 60.0f);
+    const auto touches = [&](BodyId body) { return !world.shape(world.body(body).shapes()[0]).touching().empty(); };
+    for (const BodyId ball : balls) ASSERT_TRUE(touches(ball)) << ball.index;
+    world.destroy_chain(chain);
+    for (std::size_t i = 0; i < balls.size(); ++i) EXPECT_EQ(touches(balls[i]), i % 2 == 0) << i;
+    world.step(1 / 60.0f);
+    EXPECT_TRUE(world.events().contact_begin.empty());
+    ASSERT_FALSE(world.events().contact_end.empty());
+    for (const ContactEnd& end : world.events().contact_end)
+    {
+        EXPECT_FALSE(world.find_shape(end.shape_a) && world.find_shape(end.shape_b)) << "both are still there";
+    }
+}
+
 TEST_F(ChainTest, a_filter_of_the_chain_is_of_all_its_segments)
 {
     const ChainId chain = world.create_chain(ground, {.points = line});
@@ -140,6 +160,8 @@ TEST_F(ChainTest, refuses_bad_points_by_name)
 
     const std::vector<Material> materials = {{}, {.friction = -1}, {}};
     EXPECT_EQ(message({.points = line, .materials = materials}), "create_chain: materials[1].friction is -1; give a value from 0 to 1e+06");
+    const std::vector<Material> bad_first = {{.friction = -1}, {}, {}};
+    EXPECT_EQ(message({.points = line, .materials = bad_first}), "create_chain: materials[0].friction is -1; give a value from 0 to 1e+06");
     EXPECT_EQ(message({.points = line, .materials = std::span(materials).first(2)}),
               "create_chain: materials.size is 2; give none, one, or one for each segment");
     EXPECT_EQ(message({.points = line, .sides = static_cast<ChainSides>(5)}), "create_chain: sides is 5; give a ChainSides");

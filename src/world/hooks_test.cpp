@@ -295,6 +295,29 @@ TEST_F(HooksTest, a_fast_collision_makes_one_hit)
     EXPECT_NEAR(hits[0].point.y, 0, 0.1f);
 }
 
+/// It is driven into the ground at 5 m/s in each of ten steps: that is one collision, and the next one after a rest is another.
+TEST_F(HooksTest, a_collision_of_several_steps_makes_one_hit)
+{
+    const BodyId ram = world.create_body({.position = {0, 0.5f}, .locks = {.rotation = true}}, box(1, 1), {.hit_events = true});
+    for (int round = 0; round < 2; ++round)
+    {
+        for (int i = 0; i < 30; ++i)
+        {
+            world.step(dt);
+            ASSERT_TRUE(world.events().contact_hit.empty()) << "at rest, step " << i;
+        }
+        std::size_t hits = 0;
+        for (int i = 0; i < 10; ++i)
+        {
+            world.body(ram).set_linear_velocity({0, -5});
+            world.step(dt);
+            hits += world.events().contact_hit.size();
+            ASSERT_EQ(world.shape(shape_of(ram)).touching().size(), 1u);
+        }
+        EXPECT_EQ(hits, 1u) << round;
+    }
+}
+
 TEST_F(HooksTest, a_bouncing_ball_makes_a_hit_at_each_bounce_until_it_is_slow)
 {
     world.create_body({.position = {0, 2.5f}}, circle(0.5f), {.material = {.restitution = 0.5f}, .hit_events = true});

@@ -48,6 +48,10 @@ TEST_F(JointTest, FramesCanChangeWhileItRuns)
     step(120);
     EXPECT_NEAR(world.body(a).position().y, 1, 1e-3);
     EXPECT_EQ(world.joint(id).frame_a().p, (Vec2{0, 1}));
+    world.joint(id).set_frames({}, {{0, 1}, {}}); // A's centre comes to lie 1 m below
+    step(120);
+    EXPECT_NEAR(world.body(a).position().y, -1, 1e-3);
+    EXPECT_EQ(world.joint(id).frame_b().p, (Vec2{0, 1}));
 }
 
 TEST_F(JointTest, UserDataAndBreakLimitsCanChange)

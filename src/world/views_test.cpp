@@ -109,6 +109,18 @@ TEST_F(ViewsTest, ABodyTakesChanges)
     EXPECT_FALSE(body.is_enabled());
 }
 
+TEST_F(ViewsTest, a_kinematic_body_that_becomes_dynamic_keeps_its_velocity_and_no_force)
+{
+    World space({.gravity = {}});
+    Body body = space.body(space.create_body({.type = BodyType::Kinematic, .linear_velocity = {1, 2}}, box(1, 1)));
+    body.set_type(BodyType::Dynamic);
+    EXPECT_EQ(body.force(), Vec2{});
+    EXPECT_EQ(body.torque(), 0);
+    space.step(1 / 60.0f);
+    EXPECT_EQ(body.linear_velocity(), (Vec2{1, 2}));
+    EXPECT_EQ(body.angular_velocity(), 0);
+}
+
 TEST_F(ViewsTest, ForcesGatherUntilTheStepAndImpulsesActAtOnce)
 {
     Body body = world.body(world.create_body({.position = {1, 0}}, box(1, 1), {.density = 2}));

@@ -239,6 +239,7 @@ TEST(World, TellsAnIdThatIsGoneFromOneThatNeverWas)
     const std::string unknown = "it does not exist yet in this world; give an id that create returned";
     EXPECT_EQ(remedy_for(gone), destroyed);
     EXPECT_EQ(remedy_for({gone.index, gone.generation + 1, gone.world}), unknown);
+    EXPECT_EQ(remedy_for({gone.index + 1, 1, gone.world}), unknown) << "just past the last";
     EXPECT_EQ(remedy_for({1000, 1, gone.world}), unknown);
     EXPECT_EQ(remedy_for({}), "give an id that create returned");
     EXPECT_EQ(remedy_for(World().create_body({})), "give an id of this world");

@@ -166,6 +166,28 @@ TEST(Gravity, fields_add_up_and_can_be_changed_and_removed)
     EXPECT_NEAR(world.body(id).linear_velocity().y, -20, 1e-3);
 }
 
+TEST(Gravity, only_enabled_bodies_pull_and_where_asked_only_attractors)
+{
+    for (const NBodyMethod method : {NBodyMethod::Direct, NBodyMethod::BarnesHut})
+    {
+        World world({.gravity = {0, 0}});
+        const FieldId field = world.add_field(NBodyField{.gravitational_constant = 1, .method = method});
+        const BodyId sun = world.create_body({}, box(10, 10), {.density = 5});
+        const auto pull = [&] { return world.gravity_at({50, 0}).x; };
+        EXPECT_NEAR(pull(), -500 / 2500.0, 1e-4);
+        world.body(sun).set_enabled(false);
+        EXPECT_EQ(pull(), 0);
+        world.body(sun).set_enabled(true);
+        world.set_field(field, NBodyField{.gravitational_constant = 1, .method = method, .sources = NBodySources::Attractors});
+        world.body(sun).set_is_attractor(false);
+        EXPECT_EQ(pull(), 0);
+        world.body(sun).set_is_attractor(true);
+        EXPECT_NEAR(pull(), -500 / 2500.0, 1e-4);
+        world.destroy_body(sun);
+        EXPECT_EQ(pull(), 0);
+    }
+}
+
 TEST(Gravity, a_static_body_pulls_by_the_mass_of_its_shapes)
 {
     World world({.gravity = {0, 0}});
