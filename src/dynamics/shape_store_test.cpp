@@ -72,6 +72,8 @@ TEST(ShouldCollide, GroupsBeforeMasks)
     EXPECT_FALSE(should_collide({.category = 1, .mask = 2}, {.category = 4, .mask = 1})) << "one side is not enough";
     EXPECT_TRUE(should_collide({.category = 1, .mask = 4}, {.category = 4, .mask = 1}));
     EXPECT_TRUE(should_collide({.category = 1, .mask = 0, .group = 2}, {.category = 1, .mask = 0, .group = 2}));
+    EXPECT_TRUE(should_collide({.category = 1, .mask = 0, .group = 1}, {.category = 1, .mask = 0, .group = 1}));
+    EXPECT_FALSE(should_collide({.group = -1}, {.group = -1}));
     EXPECT_FALSE(should_collide({.group = -2}, {.group = -2}));
     EXPECT_TRUE(should_collide({.group = -2}, {.group = -3}));
     EXPECT_TRUE(should_collide({.group = -2}, {.group = 0}));

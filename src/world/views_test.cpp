@@ -109,6 +109,20 @@ TEST_F(ViewsTest, ABodyTakesChanges)
     EXPECT_FALSE(body.is_enabled());
 }
 
+TEST_F(ViewsTest, a_density_is_refused_that_gives_too_little_or_too_much_mass_or_inertia)
+{
+    const auto create = [&](const Geometry& geometry, float density) { world.create_body({}, geometry, {.density = density}); };
+    const Geometry plank = box(1e5f, 0.01f); // of 1000 m^2, and 8e8 m^2 for its inertia
+    EXPECT_NO_THROW(create(box(1, 1), 1e-12f));
+    EXPECT_NO_THROW(create(box(1, 1), 1e20f));
+    EXPECT_NO_THROW(create(plank, 1e8f));
+    EXPECT_NO_THROW(create(plank, 0));
+    EXPECT_NO_THROW(create(segment({0, 0}, {1, 0}), 1e30f)) << "a segment has no mass";
+    EXPECT_THROW(create(box(1, 1), 0.9e-12f), UsageError);
+    EXPECT_THROW(create(box(1, 1), 1.1e20f), UsageError);
+    EXPECT_THROW(create(plank, 1e10f), UsageError) << "1e13 kg, and 8e21 kg m^2";
+}
+
 TEST_F(ViewsTest, a_kinematic_body_that_becomes_dynamic_keeps_its_velocity_and_no_force)
 {
     World space({.gravity = {}});

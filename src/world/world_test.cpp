@@ -247,6 +247,16 @@ TEST(World, TellsAnIdThatIsGoneFromOneThatNeverWas)
     EXPECT_EQ(remedy_for(gone), destroyed) << "its place has another tenant";
 }
 
+TEST(World, solves_contacts_in_a_step_of_the_longest_length)
+{
+    World world;
+    world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(20, 2));
+    const BodyId crate = world.create_body({.position = {0, 0.5f}}, box(1, 1));
+    const StepReport report = world.step(1, 64);
+    EXPECT_EQ(report.rows, 1);
+    EXPECT_NEAR(world.body(crate).position().y, 0.5f, 0.02f);
+}
+
 TEST(World, RefusesAStepThatIsTooShortTooLongOrNoNumber)
 {
     World world;
