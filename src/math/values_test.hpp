@@ -1,6 +1,8 @@
 // Values that many tests use.
 #pragma once
 
+#include <carom/carom.hpp> // before these names, which parameters of its calls would shadow
+
 #include <limits>
 
 namespace carom
