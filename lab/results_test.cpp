@@ -66,7 +66,7 @@ TEST(Results, say_what_they_are_not)
 
 TEST(Results, are_no_measurement_when_an_engine_failed_and_none_was_done)
 {
-    Results results = some_results();
+    Results results = results_to_keep();
     EXPECT_EQ(lack_of(results), "") << "one is done";
     results.cases.front().engines.front().outcome = Outcome::Failed;
     results.cases.front().engines.front().reason = "exit status 1";
@@ -80,7 +80,7 @@ TEST(Results, are_no_measurement_when_an_engine_failed_and_none_was_done)
 
 TEST(Results, say_of_which_scene_and_of_what_programs_they_are)
 {
-    Results results = some_results();
+    Results results = results_to_keep();
     results.engines = {{.name = "carom", .fingerprint = "0123456789abcdef"}};
     results.cases.front().fingerprint = "fedcba9876543210";
     EXPECT_EQ(to_json(results_from_json(to_json(results))), to_json(results));
