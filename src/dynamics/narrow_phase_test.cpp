@@ -1,0 +1,133 @@
+#include "dynamics/narrow_phase.hpp"
+
+#include "dynamics/dynamics_test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace carom::detail::narrow_phase_test
+{
+namespace
+{
+
+/// A box of 1 m on a fixed floor whose top is at y = 0, 1 mm deep.
+class NarrowPhaseTest : public testing::Test
+{
+protected:
+    void update() { update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes); }
+    ContactManifold& manifold() { return scene.contacts.manifolds[slot]; }
+
+    SmallScene scene;
+    std::uint32_t ground = scene.add({.type = BodyType::Static, .position = {0, -0.5f}}, box(10, 1));
+    std::uint32_t crate = scene.add({.position = {2, 0.499f}}, box(1, 1));
+    std::uint32_t slot = scene.touch(ground, crate);
+    ContactChanges changes{scene.memory};
+};
+
+TEST_F(NarrowPhaseTest, points_lie_halfway_between_the_surfaces_with_arms_from_both_centers)
+{
+    update();
+    ASSERT_EQ(manifold().count, 2);
+    EXPECT_NEAR(manifold().normal.y, 1, 1e-6f) << "from the floor, which is shape A";
+    for (const ContactPointState& point : manifold().points)
+    {
+        EXPECT_NEAR(point.separation, -0.001f, 1e-5f);
+        EXPECT_NEAR(point.position.y, -0.0005f, 1e-5f);
+        EXPECT_NEAR(std::abs(point.position.x - 2), 0.5f, 1e-5f);
+        EXPECT_LT(distance(point.r_a, point.position - Vec2{0, -0.5f}), 1e-5f);
+        EXPECT_LT(distance(point.r_b, point.position - Vec2{2, 0.499f}), 1e-5f);
+    }
+}
+
+TEST_F(NarrowPhaseTest, impulses_stay_with_the_features_that_made_them)
+{
+    update();
+    manifold().points[0].normal_impulse = 3;
+    manifold().points[1].normal_impulse = 5;
+    manifold().points[1].tangent_impulse = 7;
+    manifold().rolling_impulse = 11;
+    manifold().carried_impulse = 13;
+    const ContactManifold before = manifold();
+    scene.place(crate, {{2.01f, 0.4991f}, {}});
+    update();
+    for (const ContactPointState& point : manifold().points)
+        for (const ContactPointState& old : before.points)
+            if (point.feature == old.feature)
+            {
+                EXPECT_EQ(point.normal_impulse, old.normal_impulse);
+                EXPECT_EQ(point.tangent_impulse, old.tangent_impulse);
+            }
+    EXPECT_EQ(manifold().points[0].normal_impulse + manifold().points[1].normal_impulse, 8) << "both features are still there";
+    EXPECT_EQ(manifold().rolling_impulse, 11);
+    EXPECT_EQ(manifold().carried_impulse, 13);
+
+    // It stands on another face now: other features, and no impulse.
+    scene.place(crate, {{2, 0.499f}, rotation(0.5f * pi)});
+    update();
+    ASSERT_EQ(manifold().count, 2);
+    for (const ContactPointState& point : manifold().points) EXPECT_EQ(point.normal_impulse, 0);
+}
+
+TEST_F(NarrowPhaseTest, what_loses_its_points_keeps_no_rolling_impulse)
+{
+    update();
+    manifold().rolling_impulse = 11;
+    scene.place(crate, {{2, 0.55f}, {}});
+    update();
+    EXPECT_EQ(manifold().count, 0);
+    scene.place(crate, {{2, 0.499f}, {}});
+    manifold().rolling_impulse = 0;
+    update();
+    EXPECT_EQ(manifold().rolling_impulse, 0);
+}
+
+TEST_F(NarrowPhaseTest, changes_tell_who_gained_and_lost_points_and_who_parted)
+{
+    update();
+    EXPECT_EQ(changes.gained_points.size(), 1u);
+    EXPECT_TRUE(changes.lost_points.empty());
+    scene.contacts.contacts[slot].color = 4; // the solver has taken it in
+    update();
+    EXPECT_TRUE(changes.gained_points.empty()) << "no news";
+    scene.place(crate, {{2, 0.55f}, {}});
+    update();
+    EXPECT_EQ(changes.lost_points.size(), 1u);
+    EXPECT_TRUE(changes.separated.empty());
+    scene.shapes.bounds[crate].fat = expanded(scene.shapes.bounds[crate].tight, -0.5f);
+    scene.shapes.bounds[crate].fat.min.y = 5;
+    scene.shapes.bounds[crate].fat.max.y = 6;
+    update();
+    EXPECT_EQ(changes.separated.size(), 1u);
+    EXPECT_TRUE(changes.lost_points.empty()) << "its points are not looked at any more";
+}
+
+TEST_F(NarrowPhaseTest, sensors_count_an_overlap_and_never_go_to_the_solver)
+{
+    const std::uint32_t sensor = scene.add({.type = BodyType::Static, .position = {2, 0.5f}}, circle(0.2f), {.is_sensor = true});
+    const std::uint32_t seen = scene.touch(sensor, crate, true);
+    update();
+    EXPECT_EQ(scene.contacts.manifolds[seen].count, 1);
+    EXPECT_EQ(changes.gained_points.size(), 1u) << "the floor's contact alone";
+    scene.place(crate, {{2, 1.3f}, {}});
+    update();
+    EXPECT_EQ(scene.contacts.manifolds[seen].count, 0);
+}
+
+TEST_F(NarrowPhaseTest, only_contacts_from_the_first_on_are_looked_at)
+{
+    update_manifolds(scene.bodies, scene.shapes, scene.contacts, 1, changes);
+    EXPECT_EQ(manifold().count, 0);
+}
+
+TEST_F(NarrowPhaseTest, forgetting_leaves_the_points_without_impulses)
+{
+    update();
+    manifold().points[0].normal_impulse = manifold().points[1].tangent_impulse = 3;
+    manifold().carried_impulse = manifold().rolling_impulse = 4;
+    forget_impulses(manifold());
+    EXPECT_EQ(manifold().count, 2);
+    EXPECT_EQ(manifold().points[0].normal_impulse + manifold().points[1].tangent_impulse, 0);
+    EXPECT_EQ(manifold().carried_impulse + manifold().rolling_impulse, 0);
+}
+
+} // namespace
+} // namespace carom::detail::narrow_phase_test
