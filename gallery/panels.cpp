@@ -101,15 +101,19 @@ void scene_panel(Gallery& gallery, const Rect& place, const Ground& ground)
     ImGui::End();
 }
 
+/// Narrow tabs, so that all of them have room. The bar and each tab take it when they begin.
+void push_tab_padding()
+{
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.7f * padding.x, padding.y));
+}
+
 void tab(Gallery& gallery, const char* name, void (*content)(Gallery&))
 {
     const bool is_wanted = gallery.wanted_tab == name;
-    // Narrow, so that all of them have room.
-    const ImGuiStyle& style = ImGui::GetStyle();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.7f * style.FramePadding.x, style.FramePadding.y));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(0.5f * style.ItemInnerSpacing.x, style.ItemInnerSpacing.y));
+    push_tab_padding();
     const bool is_open = ImGui::BeginTabItem(name, nullptr, is_wanted ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar();
     if (is_wanted) gallery.wanted_tab.clear();
     gallery.widgets.note(std::string("tab ") + name);
     if (!is_open) return;
@@ -126,7 +130,10 @@ void side_panel(Gallery& gallery, const Rect& place, const Ground& ground)
         edge(gallery, PanelSide::Right, place, ground);
         fold_button(gallery, PanelSide::Right, ground);
         ImGui::SameLine();
-        if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll))
+        push_tab_padding();
+        const bool has_tabs = ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll);
+        ImGui::PopStyleVar();
+        if (has_tabs)
         {
             constexpr std::array contents = {look_tab, measure_tab, broad_phase_tab, memory_tab, body_tab};
             static_assert(contents.size() == tab_names.size());
