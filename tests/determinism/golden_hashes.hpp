@@ -17,10 +17,10 @@ struct SceneHash
 
 inline constexpr std::array scenes = {
     SceneHash{"planets", 0xfdeaa410168bc953},       SceneHash{"triggers", 0xdce2d667fe27e555},
-    SceneHash{"collisions", 0xd48ce2b1187f7030},    SceneHash{"gravity", 0xbec2060f26f6f5a2},
+    SceneHash{"collisions", 0x8c92565866a545ee},    SceneHash{"gravity", 0xd7e21a7992252765},
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
-    SceneHash{"chain-terrain", 0x1a8bdf519cdb9511}, SceneHash{"tiles", 0x85d3ac19385e9673},
-    SceneHash{"one-way", 0x47710e96f90fc015},       SceneHash{"bullets", 0x5a64979381016de},
+    SceneHash{"chain-terrain", 0x75b9169f913d9d3e}, SceneHash{"tiles", 0x85d3ac19385e9673},
+    SceneHash{"one-way", 0x4b5fe22b1b856faf},       SceneHash{"bullets", 0x6ce5c7105fe166d},
     SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0xda3bd8eb56801d87},
     SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0x4a6d81a5b784fc06},
     SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
@@ -28,6 +28,6 @@ inline constexpr std::array scenes = {
     SceneHash{"car", 0xd0461ef0d9da780b},           SceneHash{"mass-ratio", 0x1c1bf32fd467310c},
 };
 
-inline constexpr std::uint64_t mixed_world = 0xc547476b33be22a8;
+inline constexpr std::uint64_t mixed_world = 0xb9b7e001e7f5903f;
 
 } // namespace carom::golden
