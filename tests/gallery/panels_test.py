@@ -254,7 +254,7 @@ class Inspector(GalleryTest):
                               "--set", "size=2", size=(1280, 760))
         g = self.g
         g.pause()
-        self.place = g.at(0.6, 0.5)
+        self.place = g.at(0.72, 0.5)  # free of the chutes, also to the left
         g.click(self.place)
         g.until_bodies(2)
         g.frames()
