@@ -13,7 +13,7 @@ namespace carom
 
 class World;
 
-/// Lengths in metres. All is checked when a Character is made.
+/// Lengths in metres, but for the skin. All is checked when a Character is made.
 struct CharacterDef
 {
     /// Its outline in its own frame, which never turns: as a rule an upright capsule, whose round foot takes small bumps.
@@ -23,7 +23,8 @@ struct CharacterDef
     float max_slope = 0.87f;    ///< steepest ground that it walks on, 0 to 1.5 [rad]
     float step_height = 0.3f;   ///< highest step that it walks up, >= 0
     float snap_distance = 0.3f; ///< while it walks, ground so far below is followed down: steps and slopes downwards; >= 0
-    float skin = 0.01f;         ///< gap that it keeps to everything, 0.001 to 0.1
+    float skin = 0.01f;         ///< gap that it keeps to everything [length units], 0.001 to 0.1
+    float length_unit = 1;      ///< WorldDef::length_unit of the world that it moves in [m]
     float push_force = 0;       ///< with which it pushes dynamic bodies in its way [N], >= 0; 0 makes them like walls
     /// What it collides with; sensors never. When it has a body in the world for others to collide with, that is the ignored_body.
     QueryFilter filter = {};
@@ -66,7 +67,7 @@ public:
     /// @param dt       [s], > 0, at most 1
     /// @return what is left of the velocity: without what walls, ceilings and ground took; to be given to the next move. It is relative to the ground
     ///         when the move ended on ground, else to the world: who jumps off a train keeps its speed.
-    /// @throws UsageError also in a world that steps. Changes the world only when push_force is not 0.
+    /// @throws UsageError also in a world that steps, or has another length unit. Changes the world only when push_force is not 0.
     Vec2 move(World& world, Vec2 velocity, float dt);
 
     Vec2 position() const { return position_; }

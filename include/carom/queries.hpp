@@ -43,7 +43,7 @@ struct Ray
 
 /// What a ray or a moving shape meets.
 ///
-/// A cast that starts inside of a shape, overlapping it by more than 5 um, meets it at once: starts_inside is set, the fraction is 0, the
+/// A cast that starts inside of a shape, overlapping it by more than 5 um (times WorldDef::length_unit), meets it at once: starts_inside is set, the fraction is 0, the
 /// normal (0, 0), the point that of the start. So a weapon that is pushed into a wall does not shoot through it, and a moving shape that is
 /// stuck is told; who wants to pass through what it starts in asks starts_inside, or ignores the shape by the filter. A cast that starts
 /// on a surface, within 5 um, meets it only if it leads inwards: a ray can start where another one ended, and a box slides along the floor
@@ -138,11 +138,12 @@ struct ShapeMotion
 };
 
 /// The first time at which two moving shapes come within a distance of each other.
-/// @param target_distance between the surfaces, from 0.1 mm to max_coordinate [m]
+/// @param target_distance between the surfaces, from 0.1 mm, times the length unit, to max_coordinate [m]
+/// @param length_unit     typical size of a shape [m], as of WorldDef: the time is that of a distance within 0.25 mm, times this unit, of the target
 /// @return in [0, 1], and never late: before it, they were not nearer at any moment; 0 when they start nearer; empty when they do not come that
 ///         near. When the shapes turn very much (tens of turns) it may be too early.
 /// @throws UsageError on a shape or a motion that is out of range or not finite
 std::optional<float> time_of_impact(const Geometry& a, const ShapeMotion& motion_a, const Geometry& b, const ShapeMotion& motion_b,
-                                    float target_distance = 0.001f);
+                                    float target_distance = 0.001f, float length_unit = 1);
 
 } // namespace carom

@@ -18,6 +18,10 @@ inline constexpr int max_polygon_vertices = 8;
 /// Largest coordinate of a body and largest length of a shape that calls accept [m].
 inline constexpr float max_coordinate = 1e6f;
 
+/// Range of WorldDef::length_unit, the typical size of a body [m].
+inline constexpr float min_length_unit = 0.001f;
+inline constexpr float max_length_unit = 1000;
+
 /// A disc.
 struct Circle
 {
@@ -52,28 +56,31 @@ struct Polygon
 
 using Geometry = std::variant<Circle, Capsule, Segment, Polygon>;
 
+// Makers of shapes. The least sizes below are for a world of length unit 1, the default. For a world with another one, pass its
+// WorldDef::length_unit to the makers too: the least sizes scale with it.
+
 /// @param radius [m], > 0
 /// @throws UsageError on a value out of range or not finite; so do all makers below
 Circle circle(float radius, Vec2 center = {});
 /// @param p1, p2 centres of the two ends [m], at least 1 mm apart
-Capsule capsule(Vec2 p1, Vec2 p2, float radius);
+Capsule capsule(Vec2 p1, Vec2 p2, float radius, float length_unit = 1);
 /// @param p1, p2 [m], at least 1 mm apart
-Segment segment(Vec2 p1, Vec2 p2);
+Segment segment(Vec2 p1, Vec2 p2, float length_unit = 1);
 /// A box around the origin.
 /// @param width, height full side lengths [m], at least 1 mm
-Polygon box(float width, float height);
+Polygon box(float width, float height, float length_unit = 1);
 /// A box whose corners are rounded; `width` and `height` are the outer sizes.
 /// @param radius [m], >= 0 and less than half of the shorter side by at least 0.5 mm
-Polygon rounded_box(float width, float height, float radius);
+Polygon rounded_box(float width, float height, float radius, float length_unit = 1);
 /// A box around `center`, turned by `angle` [rad].
-Polygon offset_box(float width, float height, Vec2 center, float angle = 0);
+Polygon offset_box(float width, float height, Vec2 center, float angle = 0, float length_unit = 1);
 /// The convex hull of 3 or more points, of which at most 8 may be corners; points within 1 mm of each other are welded.
 /// @param points [m], 3 to 64 of them
 /// @param radius rounding [m], >= 0
 /// @throws UsageError also when the points lie on a line, or the hull has more than 8 corners
-Polygon convex_hull(std::span<const Vec2> points, float radius = 0);
+Polygon convex_hull(std::span<const Vec2> points, float radius = 0, float length_unit = 1);
 /// The same shape, moved and turned within the body's frame.
-Geometry transformed(const Geometry& geometry, const Transform& transform);
+Geometry transformed(const Geometry& geometry, const Transform& transform, float length_unit = 1);
 
 /// Mass, its centre, and its resistance to turning.
 struct MassData

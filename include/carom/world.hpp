@@ -26,13 +26,13 @@
 namespace carom
 {
 
-/// Constants of the solver. The defaults suit bodies of 0.1 m to 10 m.
+/// Constants of the solver. The defaults suit bodies of 0.1 to 10 length units (WorldDef::length_unit), which the speeds are counted in.
 struct SolverTuning
 {
     float contact_hertz = 30;         ///< stiffness of contacts, also limited to an eighth of the substep rate [1/s], >= 0.01
     float contact_damping_ratio = 10; ///< >= 0
-    float push_out_speed = 3;         ///< most speed at which overlap is undone [m/s], >= 0.0001
-    float restitution_threshold = 1;  ///< slower approaches do not bounce [m/s], >= 0
+    float push_out_speed = 3;         ///< most speed at which overlap is undone [length units/s], >= 0.0001
+    float restitution_threshold = 1;  ///< slower approaches do not bounce [length units/s], >= 0
     float joint_hertz = 60;           ///< how fast joints undo their errors, also limited to a quarter of the substep rate [1/s], >= 0.01
     float joint_damping_ratio = 2;    ///< >= 0
     /// The impulses of a step are the first guess of the next. Without that, tall piles sink in and long chains stretch: for experiments.
@@ -56,7 +56,7 @@ struct SolverTuning
 struct SleepTuning
 {
     bool is_enabled = true;
-    float speed = 0.05f; ///< a body that is faster is not at rest [m/s], >= 0
+    float speed = 0.05f; ///< a body that is faster is not at rest [length units/s], >= 0
     float time = 0.5f;   ///< how long a body must be at rest before it falls asleep [s], >= 0
 
     friend bool operator==(const SleepTuning&, const SleepTuning&) = default;
@@ -73,13 +73,17 @@ struct CapacityHints
 struct WorldDef
 {
     Vec2 gravity = {0, -9.81f}; ///< [m/s^2]
+    /// Typical size of a body [m], 0.001 to 1000. Every tolerance of the engine is a share of it: how deep bodies may sink in, how near is
+    /// touching, the least size of a shape. Keep 1 for bodies of 0.1 m to 10 m; give 0.01 for a world of small parts, 100 for one of ships.
+    /// It changes no other unit: lengths stay metres. Speeds of SolverTuning, SleepTuning and hit_speed are counted in length units a second.
+    float length_unit = 1;
     BroadPhaseType broad_phase = BroadPhaseType::Tree;
     BroadPhaseOptions broad_phase_options = {};
     SolverTuning solver = {};
     SleepTuning sleep = {};
     bool continuous = true; ///< fast bodies are stopped at what they would pass through
     MaterialMixing mixing = {};
-    float hit_speed = 1; ///< slower collisions make no ContactHit [m/s], 0 to 1e6
+    float hit_speed = 1; ///< slower collisions make no ContactHit [length units/s], 0 to 1e6
     CapacityHints capacity = {};
     ContactHooks* hooks = nullptr; ///< must outlive the world's last step and edit, or be replaced before; null for none
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
@@ -190,14 +194,14 @@ public:
     /// The first shape that a shape meets when it moves along `sweep` without turning.
     /// @param start the frame of `geometry` at the start; q a unit rotation
     std::optional<CastHit> cast_shape(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter = {}) const;
-    /// @param radius from 1 mm to max_coordinate [m]
+    /// @param radius from 1 mm, times the length unit, to max_coordinate [m]
     std::optional<CastHit> cast_circle(Vec2 center, float radius, Vec2 sweep, const QueryFilter& filter = {}) const;
     /// Every shape that it meets, ordered by fraction and then by index.
     std::vector<CastHit> cast_shape_all(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter = {}) const;
 
     /// The shapes whose bounds share a point with the box, ordered by index. Quick and coarse: their outlines may lie outside.
     std::vector<ShapeId> overlapping(const Aabb& box, const QueryFilter& filter = {}) const;
-    /// The shapes that overlap a shape, or are within 5 um of it, ordered by index.
+    /// The shapes that overlap a shape, or are within 5 um (times the length unit) of it, ordered by index.
     std::vector<ShapeId> overlapping(const Geometry& geometry, const Transform& transform, const QueryFilter& filter = {}) const;
     /// The shapes in which a point lies, or on whose edge, ordered by index. A segment holds no point but those that lie on it exactly.
     std::vector<ShapeId> shapes_at(Vec2 point, const QueryFilter& filter = {}) const;
@@ -219,6 +223,8 @@ public:
     /// Changes how pairs are found, and nothing else: the world goes on to the same bits.
     void set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options = {});
 
+    float length_unit() const; ///< as the world was made [m]
+
     SolverTuning solver_tuning() const;
     void set_solver_tuning(const SolverTuning& tuning);
 
@@ -230,8 +236,8 @@ public:
 
     MaterialMixing mixing() const;
     void set_mixing(const MaterialMixing& mixing); ///< also for contacts that exist; wakes all
-    float hit_speed() const;                       ///< [m/s]
-    void set_hit_speed(float speed);               ///< [m/s], 0 to 1e6
+    float hit_speed() const;                       ///< [length units/s]
+    void set_hit_speed(float speed);               ///< [length units/s], 0 to 1e6
     ContactHooks* hooks() const;
     /// Surfaces of contacts that exist mix anew; pairs that are together stay so, and sleepers sleep on. The hooks must outlive
     /// the world's last step and edit, or be replaced before; null for none.

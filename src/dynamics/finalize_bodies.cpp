@@ -28,11 +28,11 @@ float motion_turn(const BodyMotion& motion, float dt)
     return turn + 2 * pi * std::round((motion.w * dt - turn) / (2 * pi));
 }
 
-bool is_fast(const Sweep& sweep, const BodyWatch& watch, BodyType type)
+bool is_fast(const Sweep& sweep, const BodyWatch& watch, BodyType type, const Tolerances& tolerances)
 {
     const float way = distance(sweep.center_start, sweep.center_end) + std::abs(sweep.turn) * watch.outer_radius;
-    if (watch.is_bullet && type == BodyType::Dynamic) return way > linear_slop;
-    return way > fast_way(watch.inner_radius);
+    if (watch.is_bullet && type == BodyType::Dynamic) return way > tolerances.linear_slop;
+    return way > fast_way(watch.inner_radius, tolerances);
 }
 
 /// The fat bounds of a fast body's shapes hold all of its way.
@@ -47,7 +47,7 @@ void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodie
         const Aabb ends = merge(bounds_of(shapes.geometry[s], sweep.at(0)), bounds.tight);
         bounds.fat =
             expanded(turns ? merge(ends, expanded(around, reach)) : expanded(ends, std::abs(sweep.turn) * std::abs(sweep.turn) * reach),
-                     linear_slop);
+                     shapes.tolerances.linear_slop);
         broad_phase.update(s, bounds.fat);
         shapes.mark_moved(s);
     }
@@ -63,7 +63,7 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
         ShapeBounds& bounds = shapes.bounds[s];
         bounds.tight = bounds_of(shapes.geometry[s], transform);
         if (contains(bounds.fat, bounds.tight)) continue;
-        bounds.fat = fattened(bounds.tight, way);
+        bounds.fat = fattened(bounds.tight, way, shapes.tolerances.max_bounds_margin);
         broad_phase.update(s, bounds.fat);
         shapes.mark_moved(s);
     }
@@ -141,7 +141,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         watch.rest_time = rests ? watch.rest_time + dt : 0;
         watch.is_driven = false;
         refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
-        if (!fast || !is_fast(sweep, watch, record.type)) continue;
+        if (!fast || !is_fast(sweep, watch, record.type, shapes.tolerances)) continue;
         fast->push_back({motion.slot, sweep});
         widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase);
     }

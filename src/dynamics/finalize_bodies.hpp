@@ -46,7 +46,7 @@ inline float rest_drift(float outer_radius)
 inline bool is_in_world(Vec2 place) { return std::abs(place.x) <= max_coordinate && std::abs(place.y) <= max_coordinate; }
 
 /// What moved by more than this may have passed through something [m]: half the radius of its thinnest part; a little is always allowed.
-inline float fast_way(float inner_radius) { return std::max(0.5f * inner_radius, linear_slop); }
+inline float fast_way(float inner_radius, const Tolerances& tolerances) { return std::max(0.5f * inner_radius, tolerances.linear_slop); }
 
 /// Moves poses by the displacement since the start of the step, and clears it and the forces. Shapes that leave their fat bounds
 /// get new ones and are marked as moved. A body whose state is not finite, is beyond 1e15, or that leaves the world stays where it

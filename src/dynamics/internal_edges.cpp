@@ -28,25 +28,11 @@ namespace
 /// times as much is a bump of 1 mm. Terrain.nothing_bumps_on_tiles_that_are_bodies breaks.
 constexpr float same_direction = 2e-4f;
 
-/// What sticks out of a hidden face by less than this is a difference in height between tiles, not a step [m].
-/// Terrain.tiles_that_differ_in_height_by_1_mm_lift_by_no_more breaks.
-constexpr float step_height = 0.003f;
-
-/// How far around the contact points a face has to be hidden [m]: enough that the corner of a box pressed into a nook between wall and floor
-/// still feels the part of the floor beside it. Terrain.a_box_in_a_nook_keeps_both_contacts breaks.
-constexpr float seen_around = 0.01f;
-
 /// Tilt up to which S's own face against T's corner becomes T's face against S's corner [rad]. Beyond it S rests on one of its corners.
 constexpr float small_tilt = 0.1f;
 
-/// The second choice is a contact at the deepest point of S, but for this [m].
-constexpr float deepest_within = 0.1f * linear_slop;
-
 /// The ground goes on beyond the end of a face when it falls off by no more than this [rad]. Only then may S be held up beside the face.
 constexpr float flat_on = 0.01f;
-
-/// Bodies whose material at a contact moves alike to within this are one surface [m/s].
-constexpr float same_velocity = 0.01f;
 
 /// More tiles than this near one shape are not looked at; a shape as long as that many tiles is carried by the rest.
 constexpr std::size_t most_neighbors = 16;
@@ -61,6 +47,7 @@ struct Surroundings
     bool is_one_sided = false; ///< the tile: its face 1 is nothing to S
     std::array<ConvexPoints, most_neighbors> neighbors;
     std::size_t neighbor_count = 0;
+    Tolerances tolerances;
 };
 
 /// One side of a contact seen as the tile, the other as what slides over it.
@@ -77,7 +64,7 @@ Vec2 velocity_at(const BodyStore& bodies, std::uint32_t body, Vec2 point)
     return bodies.velocity(body) + cross(bodies.spin(body), point - bodies.poses[body].center);
 }
 
-bool move_as_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b, Vec2 point)
+bool move_as_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b, Vec2 point, float same_velocity)
 {
     if (a == b) return true;
     if (bodies.is_dynamic(a) || bodies.is_dynamic(b)) return false;
@@ -133,12 +120,12 @@ void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const 
         const std::uint32_t other = slider_is_a ? contact.shape_b : contact.shape_a;
         const std::uint32_t body = slider_is_a ? contact.body_b : contact.body_a;
         if (other == tile.previous_in_chain || other == tile.next_in_chain) continue;
-        if (other != roles.tile && move_as_one(bodies, roles.tile_body, body, point)) action(other, body);
+        if (other != roles.tile && move_as_one(bodies, roles.tile_body, body, point, shapes.tolerances.same_velocity)) action(other, body);
     }
 }
 
 /// In the world, around all points of the contact and what could adjoin there.
-Aabb around_points(const LocalManifold& manifold, const Transform& frame)
+Aabb around_points(const LocalManifold& manifold, const Transform& frame, const Tolerances& tolerances)
 {
     Aabb box = {frame * manifold.points[0].position, frame * manifold.points[0].position};
     float deepest = 0;
@@ -148,7 +135,7 @@ Aabb around_points(const LocalManifold& manifold, const Transform& frame)
         box = merge(box, {point, point});
         deepest = std::max(deepest, std::abs(manifold.points[i].separation));
     }
-    return expanded(box, deepest + seen_around + adjoining_gap);
+    return expanded(box, deepest + tolerances.seen_around + tolerances.adjoining_gap);
 }
 
 /// The point on T's surface, seen from T; the manifold's is halfway to S.
@@ -205,7 +192,7 @@ bool is_seam(const Surroundings& near, int face, const LocalManifold& manifold)
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
     {
         const float t = std::clamp(dot(manifold.points[i].position - edge.v1, along), 0.0f, length);
-        seen = {std::min(seen.start, t - seen_around), std::max(seen.end, t + seen_around)};
+        seen = {std::min(seen.start, t - near.tolerances.seen_around), std::max(seen.end, t + near.tolerances.seen_around)};
     }
     seen = {std::max(seen.start, 0.0f), std::min(seen.end, length)};
 
@@ -213,7 +200,7 @@ bool is_seam(const Surroundings& near, int face, const LocalManifold& manifold)
     std::size_t count = 0;
     for (std::size_t i = 0; i < near.neighbor_count; ++i)
     {
-        const Stretch stretch = hidden_stretch(near.tile, face, near.neighbors[i], near.slider_middle);
+        const Stretch stretch = hidden_stretch(near.tile, face, near.neighbors[i], near.slider_middle, near.tolerances.adjoining_gap);
         if (stretch.end > seen.start && stretch.start < seen.end && stretch.end > stretch.start) hidden[count++] = stretch;
     }
     std::sort(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(count),
@@ -226,7 +213,7 @@ bool is_seam(const Surroundings& near, int face, const LocalManifold& manifold)
         reached = std::max(reached, hidden[i].end);
     }
     open += std::max(seen.end - reached, 0.0f);
-    return open <= std::min(step_height, 0.5f * (seen.end - seen.start));
+    return open <= std::min(near.tolerances.tile_step_height, 0.5f * (seen.end - seen.start));
 }
 
 /// A neighbour that shares a contact point and lies in front of it; none when the normal is outward for all of them.
@@ -238,7 +225,8 @@ const ConvexPoints* find_blocker(const Surroundings& near, const LocalManifold& 
         for (std::size_t i = 0; i < near.neighbor_count; ++i)
         {
             const ConvexPoints& other = near.neighbors[i];
-            if (distance_to(other, point) <= adjoining_gap && rise_before(other, point, outward) > same_direction) return &other;
+            const bool adjoins = distance_to(other, point) <= near.tolerances.adjoining_gap;
+            if (adjoins && rise_before(other, point, outward, near.tolerances.adjoining_gap) > same_direction) return &other;
         }
     }
     return nullptr;
@@ -252,12 +240,12 @@ bool goes_on_flat(const Surroundings& near, const Edge& face, Vec2 normal)
         for (std::size_t i = 0; i < near.neighbor_count; ++i)
         {
             const ConvexPoints& other = near.neighbors[i];
-            if (distance_to(other, end) > adjoining_gap) continue;
+            if (distance_to(other, end) > near.tolerances.adjoining_gap) continue;
             bool is_flat = false;
             for (std::size_t w = 0; w < static_cast<std::size_t>(other.count); ++w)
             {
                 const Vec2 way = other.points[w] + other.radius * normal - end;
-                is_flat = is_flat || (length(way) > adjoining_gap && dot(way, normal) >= -flat_on * length(way));
+                is_flat = is_flat || (length(way) > near.tolerances.adjoining_gap && dot(way, normal) >= -flat_on * length(way));
             }
             if (!is_flat) return false;
         }
@@ -279,14 +267,15 @@ bool is_supported_by_neighbor(const Surroundings& near, int face, float separati
     for (std::size_t i = 0; i < near.neighbor_count; ++i)
     {
         const ConvexPoints& other = near.neighbors[i];
-        if (!is_behind(other, near.tile, face)) continue;
+        if (!is_behind(other, near.tile, face, near.tolerances.adjoining_gap)) continue;
         for (int other_face = 0; other_face < face_count(other); ++other_face)
         {
             const Edge support = face_of(other, other_face);
             const bool is_in_front = dot(normal_of(support), near.slider_middle - support.v1) > 0;
-            if (!is_in_front || !is_behind(near.tile, other, other_face)) continue;
-            const FaceContact contact = collide_on_face(other, other_face, near.slider, 0, near.tile_is_b, speculative_distance);
-            if (contact.manifold.count == 0 || contact.face_separation <= separation + step_height) continue;
+            if (!is_in_front || !is_behind(near.tile, other, other_face, near.tolerances.adjoining_gap)) continue;
+            const FaceContact contact =
+                collide_on_face(other, other_face, near.slider, 0, near.tile_is_b, near.tolerances.speculative_distance);
+            if (contact.manifold.count == 0 || contact.face_separation <= separation + near.tolerances.tile_step_height) continue;
             Surroundings seen_from_other = near;
             seen_from_other.tile = other;
             seen_from_other.neighbors[i] = near.tile;
@@ -311,8 +300,9 @@ LocalManifold second_choice(const Surroundings& near, Vec2 outward, int seam)
         const Edge edge = face_of(near.tile, face);
         const Vec2 normal = normal_of(edge);
         const bool is_flat = goes_on_flat(near, edge, normal);
-        const float slack = is_flat ? 1.5f * adjoining_gap : 0.0f;
-        const FaceContact contact = collide_on_face(near.tile, face, near.slider, slack, near.tile_is_b, speculative_distance);
+        const float slack = is_flat ? 1.5f * near.tolerances.adjoining_gap : 0.0f;
+        const FaceContact contact =
+            collide_on_face(near.tile, face, near.slider, slack, near.tile_is_b, near.tolerances.speculative_distance);
         if (contact.face_separation <= best_separation) continue;
         if (contact.manifold.count > 0 && is_seam(near, face, contact.manifold)) continue;
         best = contact;
@@ -321,7 +311,7 @@ LocalManifold second_choice(const Surroundings& near, Vec2 outward, int seam)
         best_face = face;
         is_best_flat = is_flat;
     }
-    const bool is_deepest = best.point_separation - best.face_separation <= deepest_within;
+    const bool is_deepest = best.point_separation - best.face_separation <= near.tolerances.deepest_within;
     const bool is_tilted = seam < 0 && is_best_flat && dot(best_normal, outward) > 0 && std::abs(cross(best_normal, outward)) <= small_tilt;
     if ((!is_deepest && !is_tilted) || best.manifold.count == 0) return {};
     return is_supported_by_neighbor(near, best_face, best_separation) ? LocalManifold{} : best.manifold;
@@ -330,10 +320,9 @@ LocalManifold second_choice(const Surroundings& near, Vec2 outward, int seam)
 /// A tip that has slipped into a real gap and finds no face to stand on keeps the corners that hold it.
 bool is_held_by_gap(const Surroundings& near, const LocalManifold& manifold, Vec2 outward, const ConvexPoints& blocker)
 {
-    constexpr float real_gap = 0.1f * linear_slop;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
     {
-        if (manifold.points[i].separation < 0 && distance_to(blocker, on_tile(manifold, i, outward)) > real_gap)
+        if (manifold.points[i].separation < 0 && distance_to(blocker, on_tile(manifold, i, outward)) > near.tolerances.real_gap)
             return near.slider.count > 1;
     }
     return false;
@@ -362,7 +351,7 @@ LocalManifold judge_side(const LocalManifold& manifold, const Contact& contact, 
     if (is_dynamic && bodies.records[roles.tile_body].shape_count < 2) return manifold;
 
     const Transform& frame_a = bodies.poses[contact.body_a].transform;
-    const Aabb box = around_points(manifold, frame_a);
+    const Aabb box = around_points(manifold, frame_a, shapes.tolerances);
     const Vec2 middle = box.center();
     const Vec2 outward = rotate(frame_a.q, tile_is_b ? -manifold.normal : manifold.normal);
     float rise = -1;
@@ -384,14 +373,15 @@ LocalManifold judge_side(const LocalManifold& manifold, const Contact& contact, 
     // What hides a face rises before it; and of a body of several shapes that stands slightly tilted on a floor, the floor's normal is
     // the true one.
     const bool is_face = angle <= same_direction;
-    if (is_face ? rise < 0.99f * adjoining_gap : is_dynamic && angle <= small_tilt) return manifold;
+    if (is_face ? rise < 0.99f * shapes.tolerances.adjoining_gap : is_dynamic && angle <= small_tilt) return manifold;
     Surroundings near;
+    near.tolerances = shapes.tolerances;
     near.tile = tile;
     near.slider = seen(roles.slider, roles.slider_body);
     near.slider_middle = middle_of(near.slider);
     near.tile_is_b = tile_is_b;
     near.is_one_sided = shapes.records[roles.tile].is_one_sided;
-    const Aabb reach = expanded(shapes.bounds[roles.slider].tight, speculative_distance + seen_around);
+    const Aabb reach = expanded(shapes.bounds[roles.slider].tight, shapes.tolerances.speculative_distance + shapes.tolerances.seen_around);
     for_each_neighbor(bodies, shapes, contacts, roles, middle, [&](std::uint32_t shape, std::uint32_t body)
     {
         if (near.neighbor_count < most_neighbors && overlaps(shapes.bounds[shape].tight, reach))

@@ -34,7 +34,7 @@ ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const Sh
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
-    const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a);
+    const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
     const LocalManifold local = without_internal_edges(in_front, contact, bodies, shapes, contacts);
 
@@ -66,7 +66,7 @@ ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, co
 {
     const Transform b_in_a = relative(bodies.poses[contact.body_a].transform, bodies.poses[contact.body_b].transform);
     ContactManifold manifold;
-    manifold.count = overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a) ? 1 : 0;
+    manifold.count = overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances) ? 1 : 0;
     return manifold;
 }
 
@@ -122,7 +122,7 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         }
 
         ContactManifold& manifold = contacts.manifolds[slot];
-        const bool may_have_points = overlaps(expanded(a.tight, speculative_distance), b.tight);
+        const bool may_have_points = overlaps(expanded(a.tight, shapes.tolerances.speculative_distance), b.tight);
         if (!may_have_points)
         {
             manifold.count = 0;

@@ -92,11 +92,9 @@ void ShapeStore::clear_moved()
     moved.clear();
 }
 
-Aabb fattened(const Aabb& tight, Vec2 way)
+Aabb fattened(const Aabb& tight, Vec2 way, float max_margin)
 {
-    // An eighth of the size, at most 5 cm: enough for things that tremble in a pile, little enough to keep false pairs rare.
     constexpr float share_of_size = 0.125f;
-    constexpr float max_margin = 0.05f;
     const Vec2 half = tight.half_extent();
     const float margin = std::min(2 * share_of_size * std::max(half.x, half.y), max_margin);
     const Aabb still = expanded(tight, margin);

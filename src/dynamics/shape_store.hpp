@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/slot_pool.hpp"
+#include "geometry/tolerances.hpp"
 
 #include <carom/math.hpp>
 #include <carom/shape.hpp>
@@ -73,6 +74,7 @@ public:
     void unmark_moved(std::uint32_t slot);
     void clear_moved();
 
+    Tolerances tolerances; ///< how near is near enough between these shapes: of the world
     SlotPool slots;
     std::pmr::vector<ShapeRecord> records;
     std::pmr::vector<Geometry> geometry;
@@ -82,8 +84,9 @@ public:
 };
 
 /// Bounds that a shape may move in for a while without being looked at again.
-/// @param way where the body goes in the near future [m]: the margin follows the velocity
-Aabb fattened(const Aabb& tight, Vec2 way);
+/// @param way        where the body goes in the near future [m]: the margin follows the velocity
+/// @param max_margin Tolerances::max_bounds_margin [m]
+Aabb fattened(const Aabb& tight, Vec2 way, float max_margin);
 
 /// Whether two shapes may meet at all.
 bool should_collide(const Filter& a, const Filter& b);

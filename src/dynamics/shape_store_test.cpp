@@ -56,12 +56,12 @@ TEST(ShapeStore, ATenantOfAUsedPlaceHasNothingOfTheOneBefore)
 TEST(FattenedBounds, HoldTheTightOnesAndTheWayAhead)
 {
     const Aabb tight = {{-1, -1}, {1, 1}};
-    const Aabb fat = fattened(tight, {3, -2});
+    const Aabb fat = fattened(tight, {3, -2}, Tolerances{}.max_bounds_margin);
     EXPECT_TRUE(contains(fat, tight));
     EXPECT_TRUE(contains(fat, Aabb{{2, -3}, {4, -1}})) << "the box at the end of its way";
     EXPECT_NEAR(fat.min.x, -1.05f, 1e-6) << "no more than the margin behind it";
     EXPECT_NEAR(fat.max.y, 1.05f, 1e-6);
-    const Aabb small = fattened({{0, 0}, {0.08f, 0.08f}}, {});
+    const Aabb small = fattened({{0, 0}, {0.08f, 0.08f}}, {}, Tolerances{}.max_bounds_margin);
     EXPECT_NEAR(small.max.x, 0.09f, 1e-6) << "an eighth of its size";
 }
 

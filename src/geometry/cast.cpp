@@ -15,8 +15,6 @@ namespace
 /// An edge counts as this much longer, as a share of its length, so that no ray slips through between an edge and its neighbour.
 constexpr double seam = 1e-9;
 
-constexpr double touch = double{touch_distance};
-
 /// The point of a segment that is nearest to the origin.
 Vec2d foot_on_segment(Vec2d p1, Vec2d p2)
 {
@@ -56,7 +54,7 @@ struct Start
 /// A cosine this small between the sweep and the surface is rounding.
 bool goes_into(Vec2d normal, Vec2d sweep) { return dot(normal, sweep) < -1e-7 * length(sweep); }
 
-/// The faces that the origin lies in front of, or behind by no more than touch_distance.
+/// The faces that the origin lies in front of, or behind by no more than the touch distance.
 struct Faces
 {
     double distance = -1e300; ///< to the plane of the one that is farthest behind the origin [m]
@@ -64,7 +62,8 @@ struct Faces
     bool goes_in = true;      ///< the sweep leads into all of them
 };
 
-Faces faces_of(const MinkowskiHull& hull, Vec2d sweep)
+/// @param touch the touch distance [m]
+Faces faces_of(const MinkowskiHull& hull, Vec2d sweep, double touch)
 {
     Faces faces;
     for (int i = 0; i < hull.count; ++i)
@@ -83,9 +82,9 @@ Faces faces_of(const MinkowskiHull& hull, Vec2d sweep)
 
 /// Near a corner without a radius the direction from the corner is rounding, so there the faces decide: what goes along or away from one of
 /// them does not go in. A segment has a face on each side, and so nothing that starts on it goes into it.
-Start start_of(const MinkowskiHull& hull, double radius, Vec2d sweep)
+Start start_of(const MinkowskiHull& hull, double radius, Vec2d sweep, double touch)
 {
-    const Faces faces = faces_of(hull, sweep);
+    const Faces faces = faces_of(hull, sweep, touch);
     const bool has_faces = faces.distance > -1e300;
     if (has_faces && faces.distance - radius > touch) return {};
     if (has_faces && faces.distance < -touch) return {Start::Kind::Inside, false, {}};
@@ -150,9 +149,9 @@ struct HullCast
     Hit hit;
 };
 
-HullCast cast_at_hull(const MinkowskiHull& hull, double radius, Vec2d sweep)
+HullCast cast_at_hull(const MinkowskiHull& hull, double radius, Vec2d sweep, double touch)
 {
-    const Start start = start_of(hull, radius, sweep);
+    const Start start = start_of(hull, radius, sweep, touch);
     if (start.kind == Start::Kind::Inside) return {HullCast::Kind::StartsInside, {}};
     if (start.kind == Start::Kind::Touching)
     {
@@ -181,21 +180,25 @@ Vec2 meeting_point(const ConvexPoints& a, const ConvexPoints& b, const Transform
 
 } // namespace
 
-std::optional<CastResult> cast_ray(const ConvexPoints& shape, Vec2 start, Vec2 sweep)
+std::optional<CastResult> cast_ray(const ConvexPoints& shape, Vec2 start, Vec2 sweep, const Tolerances& tolerances)
 {
-    const HullCast cast = cast_at_hull(minkowski_difference(shape, start), shape.radius, Vec2d(sweep));
+    const HullCast cast = cast_at_hull(minkowski_difference(shape, start), shape.radius, Vec2d(sweep), double{tolerances.touch_distance});
     if (cast.kind == HullCast::Kind::Miss) return std::nullopt;
     if (cast.kind == HullCast::Kind::StartsInside) return CastResult{0, {}, start, true};
     return CastResult{to_fraction(cast.hit.fraction), to_float(cast.hit.normal), to_float(Vec2d(start) + cast.hit.fraction * Vec2d(sweep)),
                       false};
 }
 
-std::optional<CastResult> cast_ray(const Geometry& shape, Vec2 start, Vec2 sweep) { return cast_ray(convex_points(shape), start, sweep); }
+std::optional<CastResult> cast_ray(const Geometry& shape, Vec2 start, Vec2 sweep, const Tolerances& tolerances)
+{
+    return cast_ray(convex_points(shape), start, sweep, tolerances);
+}
 
-std::optional<CastResult> cast_shape(const ConvexPoints& a, const ConvexPoints& b, const Transform& b_in_a, Vec2 sweep)
+std::optional<CastResult> cast_shape(const ConvexPoints& a, const ConvexPoints& b, const Transform& b_in_a, Vec2 sweep,
+                                     const Tolerances& tolerances)
 {
     const MinkowskiHull hull = minkowski_difference(a, b, b_in_a);
-    const HullCast cast = cast_at_hull(hull, double{a.radius} + double{b.radius}, Vec2d(sweep));
+    const HullCast cast = cast_at_hull(hull, double{a.radius} + double{b.radius}, Vec2d(sweep), double{tolerances.touch_distance});
     if (cast.kind == HullCast::Kind::Miss) return std::nullopt;
     const bool starts_inside = cast.kind == HullCast::Kind::StartsInside;
     if (starts_inside || cast.hit.corner < 0) // already there: GJK knows where

@@ -23,10 +23,6 @@ namespace
 
 constexpr std::size_t max_points = 64;
 
-/// A corner nearer than this to the line through its neighbours is dropped [m]: too blunt to matter, and its two normals would be
-/// one. Test: ConvexHull.DropsPointsOnAnEdge.
-constexpr double collinear_distance = 1e-4;
-
 /// A short list of points that stays on the stack.
 struct PointList
 {
@@ -45,13 +41,13 @@ struct PointList
 /// Twice the signed area of the triangle; positive when c is left of the line from a to b.
 double orientation(Vec2 a, Vec2 b, Vec2 c) { return cross(Vec2d(b) - Vec2d(a), Vec2d(c) - Vec2d(a)); }
 
-/// Keeps the first of points that are within 1 mm of each other.
-PointList welded(std::span<const Vec2> points)
+/// Keeps the first of points that are nearer to each other than `least`.
+PointList welded(std::span<const Vec2> points, double least)
 {
     PointList kept;
     for (const Vec2 p : points)
     {
-        const auto is_near = [p](Vec2 q) { return length(Vec2d(p) - Vec2d(q)) < double{min_edge_length}; };
+        const auto is_near = [p, least](Vec2 q) { return length(Vec2d(p) - Vec2d(q)) < least; };
         const auto end = kept.items.begin() + static_cast<std::ptrdiff_t>(kept.count);
         if (std::none_of(kept.items.begin(), end, is_near)) kept.push(p);
     }
@@ -79,7 +75,7 @@ PointList hull_of(PointList points)
 }
 
 /// Drops the bluntest corner again and again until none is too blunt: dropping one sharpens or blunts its neighbours.
-void drop_blunt_corners(PointList& hull)
+void drop_blunt_corners(PointList& hull, double collinear_distance)
 {
     while (hull.count >= 3)
     {
@@ -115,7 +111,7 @@ void check_arguments(std::span<const Vec2> points, float radius)
 
 } // namespace
 
-Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::string_view function)
+Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::string_view function, const Tolerances& tolerances)
 {
     Polygon polygon;
     polygon.count = static_cast<int>(corners.size());
@@ -128,18 +124,19 @@ Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::s
         const double edge_length = length(edge);
         if (edge_length > 0) polygon.normals[i] = to_float((1 / edge_length) * right_perp(edge)); // else validate() refuses the edge
     }
-    validate(polygon, function, "");
+    validate(polygon, function, "", tolerances);
     polygon.centroid = to_float(moments_of(polygon).center);
     return polygon;
 }
 
 } // namespace detail
 
-Polygon convex_hull(std::span<const Vec2> points, float radius)
+Polygon convex_hull(std::span<const Vec2> points, float radius, float length_unit)
 {
     detail::check_arguments(points, radius);
-    detail::PointList hull = detail::hull_of(detail::welded(points));
-    detail::drop_blunt_corners(hull);
+    const detail::Tolerances tolerances = detail::tolerances_for(length_unit, "convex_hull");
+    detail::PointList hull = detail::hull_of(detail::welded(points, double{tolerances.min_edge_length}));
+    detail::drop_blunt_corners(hull, tolerances.collinear_distance);
     if (hull.count < 3)
     {
         detail::usage_error("convex_hull", "points", "a line or a single point", "give points that enclose an area");
@@ -148,7 +145,7 @@ Polygon convex_hull(std::span<const Vec2> points, float radius)
     {
         detail::usage_error("convex_hull", "corner count", hull.count, "give points whose hull has at most 8 corners");
     }
-    return detail::polygon_from_corners({hull.items.data(), hull.count}, radius, "convex_hull");
+    return detail::polygon_from_corners({hull.items.data(), hull.count}, radius, "convex_hull", tolerances);
 }
 
 } // namespace carom

@@ -260,9 +260,9 @@ DistanceResult distance(const ConvexPoints& a, const ConvexPoints& b, const Tran
     return gjk(placed(a, {}, -origin), placed(b, b_in_a.q, b_in_a.p - origin), origin);
 }
 
-bool overlap(const Geometry& a, const Geometry& b, const Transform& b_in_a)
+bool overlap(const Geometry& a, const Geometry& b, const Transform& b_in_a, const Tolerances& tolerances)
 {
-    return distance(convex_points(a), convex_points(b), b_in_a).distance <= touch_distance;
+    return distance(convex_points(a), convex_points(b), b_in_a).distance <= tolerances.touch_distance;
 }
 
 } // namespace carom::detail

@@ -1,6 +1,8 @@
 // Distance of convex shapes by the algorithm of Gilbert, Johnson and Keerthi.
 #pragma once
 
+#include "geometry/tolerances.hpp"
+
 #include <carom/math.hpp>
 #include <carom/shape.hpp>
 
@@ -19,9 +21,6 @@ struct ConvexPoints
 
 ConvexPoints convex_points(const Geometry& geometry);
 
-/// Shapes as near as this count as touching: a box that stands exactly on another overlaps it, whatever rounding says [m].
-inline constexpr float touch_distance = 5e-6f;
-
 struct DistanceResult
 {
     Vec2 point_a;       ///< closest point on A's surface, in A's frame; a common point when the hulls without their radii overlap [m]
@@ -35,7 +34,7 @@ struct DistanceResult
 /// @param b_in_a the frame of B seen from A's
 DistanceResult distance(const ConvexPoints& a, const ConvexPoints& b, const Transform& b_in_a);
 
-/// True when the shapes share at least a point, or are within touch_distance.
-bool overlap(const Geometry& a, const Geometry& b, const Transform& b_in_a);
+/// True when the shapes share at least a point, or are within the world's touch distance.
+bool overlap(const Geometry& a, const Geometry& b, const Transform& b_in_a, const Tolerances& tolerances = {});
 
 } // namespace carom::detail

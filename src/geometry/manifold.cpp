@@ -59,49 +59,50 @@ SegmentCore core_of(const Capsule& capsule) { return {capsule.p1, capsule.p2, ca
 
 SegmentCore core_of(const Segment& segment) { return {segment.p1, segment.p2, 0}; }
 
-LocalManifold collide_with(const Circle& a, const Geometry& b, const Transform& b_in_a, float margin)
+LocalManifold collide_with(const Circle& a, const Geometry& b, const Transform& b_in_a, const Nearness& near)
 {
     switch (b.index())
     {
-    case 0: return collide_circles(a, *std::get_if<Circle>(&b), b_in_a, margin);
-    case 1: return collide_circle_with(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, margin);
-    case 2: return collide_circle_with(a, core_of(*std::get_if<Segment>(&b)), b_in_a, margin);
-    default: return collide_circle_with(a, *std::get_if<Polygon>(&b), b_in_a, margin);
+    case 0: return collide_circles(a, *std::get_if<Circle>(&b), b_in_a, near.margin);
+    case 1: return collide_circle_with(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, near.margin);
+    case 2: return collide_circle_with(a, core_of(*std::get_if<Segment>(&b)), b_in_a, near.margin);
+    default: return collide_circle_with(a, *std::get_if<Polygon>(&b), b_in_a, near.margin);
     }
 }
 
-LocalManifold collide_with(const SegmentCore& a, const Geometry& b, const Transform& b_in_a, float margin)
+LocalManifold collide_with(const SegmentCore& a, const Geometry& b, const Transform& b_in_a, const Nearness& near)
 {
     switch (b.index())
     {
-    case 0: return collide_with_circle(a, *std::get_if<Circle>(&b), b_in_a, margin);
-    case 1: return collide_segments(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, margin);
-    case 2: return collide_segments(a, core_of(*std::get_if<Segment>(&b)), b_in_a, margin);
-    default: return collide_segment_polygon(a, *std::get_if<Polygon>(&b), b_in_a, margin);
+    case 0: return collide_with_circle(a, *std::get_if<Circle>(&b), b_in_a, near.margin);
+    case 1: return collide_segments(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, near);
+    case 2: return collide_segments(a, core_of(*std::get_if<Segment>(&b)), b_in_a, near);
+    default: return collide_segment_polygon(a, *std::get_if<Polygon>(&b), b_in_a, near);
     }
 }
 
-LocalManifold collide_with(const Polygon& a, const Geometry& b, const Transform& b_in_a, float margin)
+LocalManifold collide_with(const Polygon& a, const Geometry& b, const Transform& b_in_a, const Nearness& near)
 {
     switch (b.index())
     {
-    case 0: return collide_with_circle(a, *std::get_if<Circle>(&b), b_in_a, margin);
-    case 1: return collide_polygon_segment(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, margin);
-    case 2: return collide_polygon_segment(a, core_of(*std::get_if<Segment>(&b)), b_in_a, margin);
-    default: return collide_polygons(a, *std::get_if<Polygon>(&b), b_in_a, margin);
+    case 0: return collide_with_circle(a, *std::get_if<Circle>(&b), b_in_a, near.margin);
+    case 1: return collide_polygon_segment(a, core_of(*std::get_if<Capsule>(&b)), b_in_a, near);
+    case 2: return collide_polygon_segment(a, core_of(*std::get_if<Segment>(&b)), b_in_a, near);
+    default: return collide_polygons(a, *std::get_if<Polygon>(&b), b_in_a, near);
     }
 }
 
 } // namespace
 
-LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin)
+LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin, const Tolerances& tolerances)
 {
+    const Nearness near = {margin, tolerances};
     switch (a.index())
     {
-    case 0: return collide_with(*std::get_if<Circle>(&a), b, b_in_a, margin);
-    case 1: return collide_with(core_of(*std::get_if<Capsule>(&a)), b, b_in_a, margin);
-    case 2: return collide_with(core_of(*std::get_if<Segment>(&a)), b, b_in_a, margin);
-    default: return collide_with(*std::get_if<Polygon>(&a), b, b_in_a, margin);
+    case 0: return collide_with(*std::get_if<Circle>(&a), b, b_in_a, near);
+    case 1: return collide_with(core_of(*std::get_if<Capsule>(&a)), b, b_in_a, near);
+    case 2: return collide_with(core_of(*std::get_if<Segment>(&a)), b, b_in_a, near);
+    default: return collide_with(*std::get_if<Polygon>(&a), b, b_in_a, near);
     }
 }
 

@@ -1,6 +1,8 @@
 // Narrow phase: where two shapes touch, as at most two points with the features that made them.
 #pragma once
 
+#include "geometry/tolerances.hpp"
+
 #include <carom/math.hpp>
 #include <carom/shape.hpp>
 
@@ -9,13 +11,6 @@
 
 namespace carom::detail
 {
-
-/// Points farther apart than this make no contact [m]. Contacts are made before shapes touch ("speculative"), so that the
-/// solver can stop a body at the surface instead of pushing it back out.
-inline constexpr float speculative_distance = 0.02f;
-
-/// Rounding that the solver and the tests of overlap do not care about [m].
-inline constexpr float linear_slop = 0.005f;
 
 /// One point of a local manifold.
 struct LocalPoint
@@ -34,8 +29,15 @@ struct LocalManifold
 };
 
 /// The contact of two shapes; no points when they are farther apart than `margin`.
-/// @param b_in_a  the frame of B's body seen from A's
-/// @param margin  [m], >= 0
-LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin = speculative_distance);
+/// @param b_in_a     the frame of B's body seen from A's
+/// @param margin     [m], >= 0
+/// @param tolerances of the world that they are in
+LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin, const Tolerances& tolerances = {});
+
+/// No points when they are farther apart than the world's speculative distance.
+inline LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, const Tolerances& tolerances = {})
+{
+    return collide(a, b, b_in_a, tolerances.speculative_distance, tolerances);
+}
 
 } // namespace carom::detail

@@ -17,10 +17,6 @@ namespace carom::detail
 /// Test: Manifold.StackOfEqualBoxesHasTwoPoints.
 inline constexpr float corner_slack = 1e-3f;
 
-/// A face of B becomes the reference only when it separates better than the best one of A by this [m], so that rounding does not
-/// change the reference of nearly parallel faces from step to step. Test: Manifold.PrefersTheFaceOfA.
-inline constexpr float reference_preference = 0.1f * linear_slop;
-
 /// A shape that is the neighbourhood of a segment: a capsule, or a segment with radius 0.
 struct SegmentCore
 {
@@ -29,10 +25,17 @@ struct SegmentCore
     float radius = 0; ///< [m]
 };
 
-LocalManifold collide_segments(const SegmentCore& a, const SegmentCore& b, const Transform& b_in_a, float margin);
-LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);
-LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, float margin);
-LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, float margin);
+/// How near two shapes have to be, and how near is near enough.
+struct Nearness
+{
+    float margin; ///< shapes farther apart make no points [m]
+    const Tolerances& tolerances;
+};
+
+LocalManifold collide_segments(const SegmentCore& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near);
+LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, const Nearness& near);
+LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near);
+LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, const Nearness& near);
 
 /// An edge and the numbers of its ends in its shape. The shape lies to the left of the way from v1 to v2.
 struct Edge

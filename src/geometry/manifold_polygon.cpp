@@ -15,9 +15,6 @@ namespace carom::detail
 namespace
 {
 
-/// Cores nearer than this are treated as overlapping [m]; below it, a normal from corner to corner would be rounding.
-constexpr float least_core_distance = 0.01f * linear_slop;
-
 /// One number for each of 4 `blocks` corners, to be read by fours or singly. Both compilers define a union to allow that.
 template <int blocks>
 union Lanes
@@ -218,57 +215,57 @@ LocalManifold touch_separated(const Hull<blocks>& reference, int face, const Hul
 }
 
 template <int blocks>
-LocalManifold collide_hulls(const Hull<blocks>& a, const Hull<blocks>& b, Vec2 origin, float margin)
+LocalManifold collide_hulls(const Hull<blocks>& a, const Hull<blocks>& b, Vec2 origin, const Nearness& near)
 {
-    const float reach = a.radius + b.radius + margin;
+    const float reach = a.radius + b.radius + near.margin;
     const BestFace best_a = best_face(a, b);
     if (best_a.separation > reach) return {};
     const BestFace best_b = best_face(b, a);
     if (best_b.separation > reach) return {};
 
-    const bool reference_is_b = best_b.separation > best_a.separation + reference_preference;
+    const bool reference_is_b = best_b.separation > best_a.separation + near.tolerances.reference_preference;
     const Hull<blocks>& reference = reference_is_b ? b : a;
     const Hull<blocks>& other = reference_is_b ? a : b;
     const BestFace best = reference_is_b ? best_b : best_a;
     const int other_face = facing_edge(other, reference.normal(best.face));
-    if (best.separation > least_core_distance)
+    if (best.separation > near.tolerances.least_core_distance)
     {
-        return touch_separated(reference, best.face, other, other_face, reference_is_b, origin, margin);
+        return touch_separated(reference, best.face, other, other_face, reference_is_b, origin, near.margin);
     }
-    return clip(pair_of(reference, best.face, other, other_face, reference_is_b, origin), margin);
+    return clip(pair_of(reference, best.face, other, other_face, reference_is_b, origin), near.margin);
 }
 
 template <int blocks, class A, class B>
-LocalManifold collide_as_hulls(const A& shape_a, const B& shape_b, Vec2 origin, const Transform& b_in_a, float margin)
+LocalManifold collide_as_hulls(const A& shape_a, const B& shape_b, Vec2 origin, const Transform& b_in_a, const Nearness& near)
 {
     Hull<blocks> a;
     Hull<blocks> b;
     fill(a, shape_a, ShiftOnly{origin});
     fill(b, shape_b, MoveAndShift(b_in_a, origin));
-    return collide_hulls(a, b, origin, margin);
+    return collide_hulls(a, b, origin, near);
 }
 
 } // namespace
 
-LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin)
+LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.vertices[0];
-    if (a.count <= 4 && b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, margin);
-    return collide_as_hulls<2>(a, b, origin, b_in_a, margin);
+    if (a.count <= 4 && b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
+    return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }
 
-LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, float margin)
+LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.vertices[0];
-    if (a.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, margin);
-    return collide_as_hulls<2>(a, b, origin, b_in_a, margin);
+    if (a.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
+    return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }
 
-LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, float margin)
+LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.p1;
-    if (b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, margin);
-    return collide_as_hulls<2>(a, b, origin, b_in_a, margin);
+    if (b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
+    return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }
 
 } // namespace carom::detail

@@ -74,7 +74,7 @@ TEST(ManifoldProperty, SeparationIsTheDistanceOfSeparatedShapes)
         ASSERT_NEAR(least_separation(m), d.distance, 1e-3f) << i << " types " << t.a.index() << " " << t.b.index();
         for (int k = 0; k < m.count; ++k)
         {
-            ASSERT_LE(m.points[static_cast<std::size_t>(k)].separation, speculative_distance);
+            ASSERT_LE(m.points[static_cast<std::size_t>(k)].separation, Tolerances{}.speculative_distance);
         }
     }
     EXPECT_GT(tested, 30000);

@@ -98,7 +98,7 @@ Crossing shorter_side(const Core& core, const Core& other)
 
 } // namespace
 
-LocalManifold collide_segments(const SegmentCore& shape_a, const SegmentCore& shape_b, const Transform& b_in_a, float margin)
+LocalManifold collide_segments(const SegmentCore& shape_a, const SegmentCore& shape_b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = shape_a.p1;
     const Core a = make_core(shape_a, {}, -origin);
@@ -110,14 +110,14 @@ LocalManifold collide_segments(const SegmentCore& shape_a, const SegmentCore& sh
         // The difference of the cores is a parallelogram whose faces have the cores' normals: the least push is along one of those.
         const Crossing over_a = shorter_side(a, b);
         const Crossing over_b = shorter_side(b, a);
-        const bool take_b = over_b.separation > over_a.separation + reference_preference;
+        const bool take_b = over_b.separation > over_a.separation + near.tolerances.reference_preference;
         pair = take_b ? face_to_face(b, a, over_b.normal, true) : face_to_face(a, b, over_a.normal, false);
         pair.origin = origin;
-        return clip(pair, margin);
+        return clip(pair, near.margin);
     }
 
     const NearestEnd nearest = nearest_of_all_ends(a, b);
-    const float reach = a.radius + b.radius + margin;
+    const float reach = a.radius + b.radius + near.margin;
     if (nearest.distance2 > reach * reach) return {};
 
     const Core& face = nearest.is_end_of_b ? a : b;
@@ -128,9 +128,9 @@ LocalManifold collide_segments(const SegmentCore& shape_a, const SegmentCore& sh
     pair.origin = origin;
 
     pair.slack = corner_slack * std::sqrt(nearest.distance2);
-    if (nearest.t >= -pair.slack && nearest.t <= face.length + pair.slack) return clip(pair, margin);
+    if (nearest.t >= -pair.slack && nearest.t <= face.length + pair.slack) return clip(pair, near.margin);
     const std::uint32_t face_end = nearest.t < 0 ? 0 : 1;
-    return join_corners(pair, {face_end == 0 ? face.p1 : face.p2, end, face_end, nearest.end}, margin);
+    return join_corners(pair, {face_end == 0 ? face.p1 : face.p2, end, face_end, nearest.end}, near.margin);
 }
 
 } // namespace carom::detail

@@ -147,7 +147,7 @@ MassData mass_from(const Geometry& geometry, float density)
 MassData mass_of(const Geometry& geometry, float density)
 {
     detail::require_not_negative("mass_of", "density", density);
-    detail::validate(geometry, "mass_of");
+    detail::validate(geometry, "mass_of", detail::any_world);
     const MassData mass = detail::mass_from(geometry, density);
     if (!std::isfinite(mass.mass) || !std::isfinite(mass.inertia))
     {

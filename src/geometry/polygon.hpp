@@ -1,6 +1,8 @@
 // Completes a polygon from its corners.
 #pragma once
 
+#include "geometry/tolerances.hpp"
+
 #include <carom/shape.hpp>
 
 #include <span>
@@ -13,6 +15,6 @@ namespace carom::detail
 /// @param corners  3 to 8, convex and counter-clockwise [m]
 /// @param function on whose behalf, for errors
 /// @throws UsageError
-Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::string_view function);
+Polygon polygon_from_corners(std::span<const Vec2> corners, float radius, std::string_view function, const Tolerances& tolerances);
 
 } // namespace carom::detail

@@ -40,8 +40,8 @@ detail::Sweep sweep_of(const ShapeMotion& motion)
 
 ShapeDistance distance(const Geometry& a, const Transform& transform_a, const Geometry& b, const Transform& transform_b)
 {
-    detail::validate(a, "distance");
-    detail::validate(b, "distance");
+    detail::validate(a, "distance", detail::any_world);
+    detail::validate(b, "distance", detail::any_world);
     detail::validate(transform_a, "distance", "transform_a");
     detail::validate(transform_b, "distance", "transform_b");
     const detail::DistanceResult result =
@@ -50,15 +50,16 @@ ShapeDistance distance(const Geometry& a, const Transform& transform_a, const Ge
 }
 
 std::optional<float> time_of_impact(const Geometry& a, const ShapeMotion& motion_a, const Geometry& b, const ShapeMotion& motion_b,
-                                    float target_distance)
+                                    float target_distance, float length_unit)
 {
-    detail::validate(a, "time_of_impact");
-    detail::validate(b, "time_of_impact");
+    const detail::Tolerances tolerances = detail::tolerances_for(length_unit, "time_of_impact");
+    detail::validate(a, "time_of_impact", detail::any_world);
+    detail::validate(b, "time_of_impact", detail::any_world);
     validate_motion(motion_a, "motion_a");
     validate_motion(motion_b, "motion_b");
-    detail::require_range("time_of_impact", "target_distance", target_distance, 1e-4f, max_coordinate);
+    detail::require_range("time_of_impact", "target_distance", target_distance, 1e-4f * length_unit, max_coordinate);
     return detail::time_of_impact(detail::convex_points(a), sweep_of(motion_a), detail::convex_points(b), sweep_of(motion_b),
-                                  target_distance);
+                                  target_distance, tolerances);
 }
 
 } // namespace carom

@@ -18,7 +18,7 @@ namespace
 {
 
 /// Half the least side of a box's inner part [m], a little less so that rounding does not refuse the limit itself.
-constexpr float least_half_side = 0.4999e-3f;
+float least_half_side(const detail::Tolerances& tolerances) { return 0.4999f * tolerances.min_edge_length; }
 
 Polygon centered_box(float half_width, float half_height, float radius)
 {
@@ -30,19 +30,19 @@ Polygon centered_box(float half_width, float half_height, float radius)
     return polygon;
 }
 
-void check_sides(std::string_view function, float width, float height)
+void check_sides(std::string_view function, float width, float height, const detail::Tolerances& tolerances)
 {
-    detail::require_range(function, "width", width, detail::min_edge_length, max_coordinate);
-    detail::require_range(function, "height", height, detail::min_edge_length, max_coordinate);
+    detail::require_range(function, "width", width, tolerances.min_edge_length, max_coordinate);
+    detail::require_range(function, "height", height, tolerances.min_edge_length, max_coordinate);
 }
 
 /// Rounding of large coordinates may move corners, so normals and centroid are made anew from where the corners came to lie.
-Polygon moved(const Polygon& polygon, const Transform& transform, std::string_view function)
+Polygon moved(const Polygon& polygon, const Transform& transform, std::string_view function, const detail::Tolerances& tolerances)
 {
     std::array<Vec2, max_polygon_vertices> corners;
     const std::size_t count = static_cast<std::size_t>(polygon.count);
     for (std::size_t i = 0; i < count; ++i) corners[i] = transform * polygon.vertices[i];
-    return detail::polygon_from_corners({corners.data(), count}, polygon.radius, function);
+    return detail::polygon_from_corners({corners.data(), count}, polygon.radius, function, tolerances);
 }
 
 Aabb bounds_around(Vec2 a, Vec2 b, float radius) { return expanded({min(a, b), max(a, b)}, radius); }
@@ -69,58 +69,64 @@ Circle circle(float radius, Vec2 center)
     return made;
 }
 
-Capsule capsule(Vec2 p1, Vec2 p2, float radius)
+Capsule capsule(Vec2 p1, Vec2 p2, float radius, float length_unit)
 {
     const Capsule made = {p1, p2, radius};
-    detail::validate(made, "capsule", "");
+    detail::validate(made, "capsule", "", detail::tolerances_for(length_unit, "capsule"));
     return made;
 }
 
-Segment segment(Vec2 p1, Vec2 p2)
+Segment segment(Vec2 p1, Vec2 p2, float length_unit)
 {
     const Segment made = {p1, p2};
-    detail::validate(made, "segment", "");
+    detail::validate(made, "segment", "", detail::tolerances_for(length_unit, "segment"));
     return made;
 }
 
-Polygon box(float width, float height)
+Polygon box(float width, float height, float length_unit)
 {
-    check_sides("box", width, height);
+    check_sides("box", width, height, detail::tolerances_for(length_unit, "box"));
     return centered_box(0.5f * width, 0.5f * height, 0);
 }
 
-Polygon rounded_box(float width, float height, float radius)
+Polygon rounded_box(float width, float height, float radius, float length_unit)
 {
-    check_sides("rounded_box", width, height);
+    const detail::Tolerances tolerances = detail::tolerances_for(length_unit, "rounded_box");
+    check_sides("rounded_box", width, height, tolerances);
     detail::require_not_negative("rounded_box", "radius", radius);
     const float inner_half_width = 0.5f * width - radius;
     const float inner_half_height = 0.5f * height - radius;
-    if (!(inner_half_width >= least_half_side && inner_half_height >= least_half_side))
+    const float least = least_half_side(tolerances);
+    if (!(inner_half_width >= least && inner_half_height >= least))
     {
-        detail::usage_error("rounded_box", "radius", radius, "give a radius less than half of the shorter side by at least 0.5 mm");
+        detail::usage_error("rounded_box", "radius", radius,
+                            "give a radius less than half of the shorter side by at least " +
+                                detail::least_size_text(0.5f * tolerances.min_edge_length, tolerances));
     }
     return centered_box(inner_half_width, inner_half_height, radius);
 }
 
-Polygon offset_box(float width, float height, Vec2 center, float angle)
+Polygon offset_box(float width, float height, Vec2 center, float angle, float length_unit)
 {
-    check_sides("offset_box", width, height);
+    const detail::Tolerances tolerances = detail::tolerances_for(length_unit, "offset_box");
+    check_sides("offset_box", width, height, tolerances);
     detail::require_within("offset_box", "center", center, max_coordinate);
     detail::require_finite("offset_box", "angle", angle);
-    return moved(centered_box(0.5f * width, 0.5f * height, 0), {center, rotation(angle)}, "offset_box");
+    return moved(centered_box(0.5f * width, 0.5f * height, 0), {center, rotation(angle)}, "offset_box", tolerances);
 }
 
-Geometry transformed(const Geometry& geometry, const Transform& transform)
+Geometry transformed(const Geometry& geometry, const Transform& transform, float length_unit)
 {
-    detail::validate(geometry, "transformed");
+    const detail::Tolerances tolerances = detail::tolerances_for(length_unit, "transformed");
+    detail::validate(geometry, "transformed", tolerances);
     detail::validate(transform, "transformed", "transform");
-    if (const Polygon* p = std::get_if<Polygon>(&geometry)) return moved(*p, transform, "transformed");
+    if (const Polygon* p = std::get_if<Polygon>(&geometry)) return moved(*p, transform, "transformed", tolerances);
 
     Geometry result = geometry;
     if (Circle* c = std::get_if<Circle>(&result)) c->center = transform * c->center;
     if (Capsule* c = std::get_if<Capsule>(&result)) *c = {transform * c->p1, transform * c->p2, c->radius};
     if (Segment* s = std::get_if<Segment>(&result)) *s = {transform * s->p1, transform * s->p2};
-    detail::validate(result, "transformed");
+    detail::validate(result, "transformed", tolerances);
     return result;
 }
 
@@ -148,7 +154,7 @@ bool detail::holds(const Geometry& geometry, Vec2 local_point)
 
 Aabb aabb_of(const Geometry& geometry, const Transform& transform)
 {
-    detail::validate(geometry, "aabb_of");
+    detail::validate(geometry, "aabb_of", detail::any_world);
     detail::require_finite("aabb_of", "transform.p", transform.p); // a body may have gone beyond max_coordinate
     detail::validate_rotation(transform.q, "aabb_of", "transform");
     return detail::bounds_of(geometry, transform);
@@ -156,7 +162,7 @@ Aabb aabb_of(const Geometry& geometry, const Transform& transform)
 
 bool contains(const Geometry& geometry, Vec2 local_point)
 {
-    detail::validate(geometry, "contains");
+    detail::validate(geometry, "contains", detail::any_world);
     detail::require_finite("contains", "local_point", local_point);
     return detail::holds(geometry, local_point);
 }

@@ -65,13 +65,13 @@ LocalManifold moved(const LocalManifold& manifold, const Transform& transform)
     return result;
 }
 
-bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face)
+bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face, float gap)
 {
     const Edge edge = face_of(shape, face);
     const Vec2 normal = normal_of(edge);
     for (int i = 0; i < other.count; ++i)
     {
-        if (dot(normal, point_of(other, i) - edge.v1) + other.radius - shape.radius > adjoining_gap) return false;
+        if (dot(normal, point_of(other, i) - edge.v1) + other.radius - shape.radius > gap) return false;
     }
     return true;
 }
@@ -101,17 +101,17 @@ float distance_to(const ConvexPoints& shape, Vec2 point)
     return std::sqrt(nearest2) - shape.radius;
 }
 
-Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer)
+Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer, float gap)
 {
     const Edge edge = face_of(shape, face);
     const Vec2 normal = normal_of(edge);
     const Vec2 along = left_perp(normal);
-    const Vec2 origin = edge.v1 + (shape.radius + adjoining_gap) * normal;
+    const Vec2 origin = edge.v1 + (shape.radius + gap) * normal;
     if (other.count == 1) return in_circle(origin, along, other.points[0], other.radius);
 
     Stretch hidden = {0, dot(edge.v2 - edge.v1, along)};
     const bool is_segment = other.count == 2 && other.radius == 0;
-    if (is_segment && is_behind(other, shape, face)) return {};
+    if (is_segment && is_behind(other, shape, face, gap)) return {};
     for (int i = 0; i < other.count; ++i)
     {
         const Edge side = face_of(other, i);
@@ -120,19 +120,19 @@ Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& 
         if (!is_back) cut(hidden, dot(n, origin - side.v1), dot(n, along), other.radius);
         if (other.count != 2) continue;
         const Vec2 end = left_perp(n);
-        cut(hidden, dot(end, origin - side.v2), dot(end, along), std::max(other.radius, adjoining_gap));
+        cut(hidden, dot(end, origin - side.v2), dot(end, along), std::max(other.radius, gap));
     }
     return hidden;
 }
 
-float rise_before(const ConvexPoints& other, Vec2 point, Vec2 normal)
+float rise_before(const ConvexPoints& other, Vec2 point, Vec2 normal, float gap)
 {
     float rise = 0;
     for (int i = 0; i < other.count; ++i)
     {
         const Vec2 way = point_of(other, i) + other.radius * normal - point;
         const float far = length(way);
-        if (far > adjoining_gap) rise = std::max(rise, dot(way, normal) / far);
+        if (far > gap) rise = std::max(rise, dot(way, normal) / far);
     }
     return rise;
 }

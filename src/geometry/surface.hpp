@@ -12,10 +12,6 @@
 namespace carom::detail
 {
 
-/// Shapes of one surface whose edges or corners are no farther apart than this adjoin: the gap between them is no groove that a thing could
-/// fall into or catch on [m]. Test: Terrain.a_gap_of_4_mm_between_tiles_is_none.
-inline constexpr float adjoining_gap = linear_slop;
-
 inline int face_count(const ConvexPoints& shape) { return shape.count > 1 ? shape.count : 0; }
 Edge face_of(const ConvexPoints& shape, int face);
 Vec2 normal_of(const Edge& face); ///< unit, outward
@@ -23,8 +19,9 @@ Vec2 normal_of(const Edge& face); ///< unit, outward
 ConvexPoints moved(const ConvexPoints& shape, const Transform& transform);
 LocalManifold moved(const LocalManifold& manifold, const Transform& transform);
 Vec2 middle_of(const ConvexPoints& shape); ///< the mean of its points
-/// Whether no part of `other` reaches more than adjoining_gap in front of a face of `shape`.
-bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face);
+/// Whether no part of `other` reaches more than `gap` in front of a face of `shape`.
+/// @param gap Tolerances::adjoining_gap [m]
+bool is_behind(const ConvexPoints& other, const ConvexPoints& shape, int face, float gap);
 /// From the shape's surface to the point, negative inside; for points inside only the sign is exact.
 float distance_to(const ConvexPoints& shape, Vec2 point);
 
@@ -35,14 +32,16 @@ struct Stretch
     float end = 0;
 };
 
-/// The part of the face before which `other` lies: where a point adjoining_gap outside of the face is inside it. A segment has no inside: it
+/// The part of the face before which `other` lies: where a point `gap` outside of the face is inside it. A segment has no inside: it
 /// hides what is behind it, if any of it is in front of the face.
 /// @param viewer which side of a segment is its front: the one that faces this point
-Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer);
+/// @param gap    Tolerances::adjoining_gap [m]
+Stretch hidden_stretch(const ConvexPoints& shape, int face, const ConvexPoints& other, Vec2 viewer, float gap);
 
 /// How far the point of `other` that lies farthest in front of a point of a surface does so, as a sine: 0 when all of it is behind the line
-/// across `normal`. Points of `other` within adjoining_gap do not count: heights may differ by that much.
-float rise_before(const ConvexPoints& other, Vec2 point, Vec2 normal);
+/// across `normal`. Points of `other` within `gap` do not count: heights may differ by that much.
+/// @param gap Tolerances::adjoining_gap [m]
+float rise_before(const ConvexPoints& other, Vec2 point, Vec2 normal, float gap);
 
 /// Where `other` touches the given face of `shape`, whatever face separates the two best.
 struct FaceContact

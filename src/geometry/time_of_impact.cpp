@@ -177,7 +177,7 @@ Transform Sweep::at(float time) const
 }
 
 std::optional<float> time_of_impact(const ConvexPoints& a, const Sweep& sweep_a, const ConvexPoints& b, const Sweep& sweep_b,
-                                    float target_distance)
+                                    float target_distance, const Tolerances& tolerances)
 {
     const Vec2d way_a = Vec2d(sweep_a.center_end) - Vec2d(sweep_a.center_start);
     const Vec2d way_b = Vec2d(sweep_b.center_end) - Vec2d(sweep_b.center_start);
@@ -201,7 +201,7 @@ std::optional<float> time_of_impact(const ConvexPoints& a, const Sweep& sweep_a,
         if (!(outlook.separation > 0)) break;
         if (outlook.step >= 1 - time) return std::nullopt;
         // Near the target and coming nearer, or unable to tell: that is the impact.
-        const bool is_near = outlook.separation <= double{impact_tolerance};
+        const bool is_near = outlook.separation <= double{tolerances.impact_tolerance};
         if (is_near && (outlook.separation < before || outlook.step < least_step) && time > 0) break;
         if (is_near && outlook.step < least_step) break;
         before = outlook.separation;

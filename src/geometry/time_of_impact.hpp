@@ -21,19 +21,16 @@ struct Sweep
     Transform at(float time) const;
 };
 
-/// What counts as having come as near as the target [m].
-inline constexpr float impact_tolerance = 2.5e-4f;
-
 /// The first time at which the distance of the shapes falls to the target.
 ///
 /// The time is safe: up to it the distance is at no moment less than the target, but for the rounding of the coordinates. At the time itself the
-/// shapes are within impact_tolerance of the target; when that can't be reached in a bounded number of steps, as for shapes that turn
+/// shapes are within the world's impact tolerance of the target; when that can't be reached in a bounded number of steps, as for shapes that turn
 /// about each other at almost exactly the target, the time is the latest one that was found to be safe.
 /// @param a, b            in the frames of their bodies
 /// @param target_distance between the surfaces, > 0; well above the rounding of the shapes' coordinates [m]
-/// @return in [0, 1]; 0 when they start nearer than the target; empty when they never come that near. Those that come within impact_tolerance of
+/// @return in [0, 1]; 0 when they start nearer than the target; empty when they never come that near. Those that come within that tolerance of
 ///         the target but not to it may be either
 std::optional<float> time_of_impact(const ConvexPoints& a, const Sweep& sweep_a, const ConvexPoints& b, const Sweep& sweep_b,
-                                    float target_distance);
+                                    float target_distance, const Tolerances& tolerances = {});
 
 } // namespace carom::detail

@@ -66,7 +66,7 @@ TEST(TimeOfImpact, BulletAtWall)
     const ConvexPoints ball = convex_points(circle(0.05f));
     const auto time = time_of_impact(wall, resting({10, 0}), ball, moving({0, 0}, {20, 0}), target);
     ASSERT_TRUE(time);
-    EXPECT_NEAR(*time, (10 - 0.05f - 0.05f - target) / 20, impact_tolerance / 20 + 1e-6f);
+    EXPECT_NEAR(*time, (10 - 0.05f - 0.05f - target) / 20, Tolerances{}.impact_tolerance / 20 + 1e-6f);
 }
 
 TEST(TimeOfImpact, TwoBoxesThatMeetHeadOn)
@@ -159,7 +159,7 @@ TEST_P(TimeOfImpactOf, RandomMotionIsNeitherLateNorEarly)
         }
         if (!time) continue;
         ++hits;
-        early += distance_at(a, sweep_a, b, sweep_b, *time) > target + impact_tolerance + rounding;
+        early += distance_at(a, sweep_a, b, sweep_b, *time) > target + Tolerances{}.impact_tolerance + rounding;
     }
     EXPECT_GT(hits, pairs / 10);
     EXPECT_EQ(early, 0);
@@ -192,7 +192,7 @@ TEST(TimeOfImpact, IsTheSameFromTheOtherSide)
         if (!ab || !ba) continue;
         ++hits;
         const float way = 30;
-        ASSERT_NEAR(*ab, *ba, 50 * impact_tolerance / way + 1e-3f) << i;
+        ASSERT_NEAR(*ab, *ba, 50 * Tolerances{}.impact_tolerance / way + 1e-3f) << i;
     }
     EXPECT_GT(hits, 200);
     EXPECT_LE(disagreements, 5);

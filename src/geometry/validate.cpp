@@ -5,6 +5,8 @@
 #include "math/usage_error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <limits>
 #include <string>
 #include <variant>
@@ -15,12 +17,8 @@ namespace carom::detail
 namespace
 {
 
-/// Corners that were 1 mm apart may have been rounded a little closer by a rotation.
-constexpr double least_distance = 0.999 * double{min_edge_length};
-
-/// A corner must lie this far inside every edge but its own [m]. Keeps the normals of neighbouring edges distinct; far below what
-/// convex_hull() leaves standing (tests: Validate.*, ConvexHull.RandomPointsGiveAValidHull).
-constexpr double least_convexity = 1e-5;
+/// Corners that were just far enough apart may have been rounded a little closer by a rotation.
+double least_distance(const Tolerances& tolerances) { return 0.999 * double{tolerances.min_edge_length}; }
 
 /// How far a normal may be from the true one; users may have computed theirs in another way.
 constexpr double normal_tolerance = 1e-3;
@@ -52,13 +50,14 @@ void check_radius(const Subject& subject, float radius, bool may_be_zero)
     usage_error(subject.function, field, radius, "give a value greater than 0 and not above 1e+06");
 }
 
-void check_ends(const Subject& subject, Vec2 p1, Vec2 p2)
+void check_ends(const Subject& subject, Vec2 p1, Vec2 p2, const Tolerances& tolerances)
 {
     check_point(subject, "p1", p1);
     check_point(subject, "p2", p2);
-    if (length(Vec2d(p2) - Vec2d(p1)) < least_distance)
+    if (length(Vec2d(p2) - Vec2d(p1)) < least_distance(tolerances))
     {
-        usage_error(subject.function, subject.field("p2"), p2, "give ends that are at least 1 mm apart");
+        usage_error(subject.function, subject.field("p2"), p2,
+                    "give ends that are at least " + least_size_text(tolerances.min_edge_length, tolerances) + " apart");
     }
 }
 
@@ -75,7 +74,7 @@ std::size_t next_index(const Polygon& polygon, std::size_t i) { return i + 1 < s
 
 /// Every corner lies left of every edge that it does not end. Then each edge is an edge of the convex hull, in its direction, and so the
 /// polygon is the hull: no separate test of crossings or of the winding is needed.
-void check_convexity(const Subject& subject, const Polygon& polygon)
+void check_convexity(const Subject& subject, const Polygon& polygon, const Tolerances& tolerances)
 {
     const std::size_t count = static_cast<std::size_t>(polygon.count);
     for (std::size_t i = 0; i < count; ++i)
@@ -84,14 +83,15 @@ void check_convexity(const Subject& subject, const Polygon& polygon)
         const Vec2d start(polygon.vertices[i]);
         const Vec2d edge = Vec2d(polygon.vertices[next]) - start;
         const double edge_length = length(edge);
-        if (edge_length < least_distance)
+        if (edge_length < least_distance(tolerances))
         {
             usage_error(subject.function, subject.field("vertices", static_cast<int>(next)), polygon.vertices[next],
-                        "give vertices that are at least 1 mm apart");
+                        "give vertices that are at least " + least_size_text(tolerances.min_edge_length, tolerances) + " apart");
         }
         for (std::size_t j = 0; j < count; ++j)
         {
-            if (j == i || j == next || cross(edge, Vec2d(polygon.vertices[j]) - start) >= least_convexity * edge_length) continue;
+            if (j == i || j == next || cross(edge, Vec2d(polygon.vertices[j]) - start) >= tolerances.least_convexity * edge_length)
+                continue;
             usage_error(subject.function, subject.field("vertices", static_cast<int>(j)), polygon.vertices[j],
                         "give the corners of a convex polygon counter-clockwise, or use convex_hull()");
         }
@@ -110,7 +110,7 @@ void check_normals(const Subject& subject, const Polygon& polygon)
     }
 }
 
-void check_centroid(const Subject& subject, const Polygon& polygon)
+void check_centroid(const Subject& subject, const Polygon& polygon, const Tolerances& tolerances)
 {
     check_point(subject, "centroid", polygon.centroid);
     Aabb bounds = {polygon.vertices[0], polygon.vertices[0]};
@@ -118,7 +118,7 @@ void check_centroid(const Subject& subject, const Polygon& polygon)
     {
         bounds = merge(bounds, {polygon.vertices[i], polygon.vertices[i]});
     }
-    if (contains(expanded(bounds, min_edge_length), polygon.centroid)) return;
+    if (contains(expanded(bounds, tolerances.min_edge_length), polygon.centroid)) return;
     usage_error(subject.function, subject.field("centroid"), polygon.centroid, "give the centre of the area, or use convex_hull()");
 }
 
@@ -132,20 +132,20 @@ void validate(const Circle& circle, std::string_view function, std::string_view 
     check_mass(subject, moments_of(circle), circle.radius);
 }
 
-void validate(const Capsule& capsule, std::string_view function, std::string_view prefix)
+void validate(const Capsule& capsule, std::string_view function, std::string_view prefix, const Tolerances& tolerances)
 {
     const Subject subject = {function, prefix};
-    check_ends(subject, capsule.p1, capsule.p2);
+    check_ends(subject, capsule.p1, capsule.p2, tolerances);
     check_radius(subject, capsule.radius, false);
     check_mass(subject, moments_of(capsule), capsule.radius);
 }
 
-void validate(const Segment& segment, std::string_view function, std::string_view prefix)
+void validate(const Segment& segment, std::string_view function, std::string_view prefix, const Tolerances& tolerances)
 {
-    check_ends({function, prefix}, segment.p1, segment.p2);
+    check_ends({function, prefix}, segment.p1, segment.p2, tolerances);
 }
 
-void validate(const Polygon& polygon, std::string_view function, std::string_view prefix)
+void validate(const Polygon& polygon, std::string_view function, std::string_view prefix, const Tolerances& tolerances)
 {
     const Subject subject = {function, prefix};
     if (polygon.count < 3 || polygon.count > max_polygon_vertices)
@@ -158,20 +158,30 @@ void validate(const Polygon& polygon, std::string_view function, std::string_vie
         const Vec2 vertex = polygon.vertices[static_cast<std::size_t>(i)];
         if (!is_within_reach(vertex)) require_within(function, subject.field("vertices", i), vertex, max_coordinate);
     }
-    check_convexity(subject, polygon);
+    check_convexity(subject, polygon, tolerances);
     check_normals(subject, polygon);
-    check_centroid(subject, polygon);
+    check_centroid(subject, polygon, tolerances);
     check_mass(subject, moments_of(polygon), polygon.radius);
 }
 
-void validate(const Geometry& geometry, std::string_view function)
+std::string least_size_text(float length, const Tolerances& tolerances)
+{
+    std::array<char, 32> digits = {};
+    const float millimetres = 1000 * length;
+    const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(), millimetres);
+    std::string text = std::string(digits.data(), end.ptr) + " mm";
+    if (tolerances.length_unit > 1) text += ", or make the world with a smaller length_unit,";
+    return text;
+}
+
+void validate(const Geometry& geometry, std::string_view function, const Tolerances& tolerances)
 {
     switch (geometry.index())
     {
     case 0: return validate(*std::get_if<Circle>(&geometry), function, "circle.");
-    case 1: return validate(*std::get_if<Capsule>(&geometry), function, "capsule.");
-    case 2: return validate(*std::get_if<Segment>(&geometry), function, "segment.");
-    case 3: return validate(*std::get_if<Polygon>(&geometry), function, "polygon.");
+    case 1: return validate(*std::get_if<Capsule>(&geometry), function, "capsule.", tolerances);
+    case 2: return validate(*std::get_if<Segment>(&geometry), function, "segment.", tolerances);
+    case 3: return validate(*std::get_if<Polygon>(&geometry), function, "polygon.", tolerances);
     default: usage_error(function, "geometry", "without a value", "give a shape");
     }
 }

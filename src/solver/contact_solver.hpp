@@ -71,6 +71,7 @@ private:
     PassConstants<F> pass_ = {};
     int row_count_ = 0;
     float carry_share_ = 0;
+    float settled_within_ = 0; ///< Tolerances::settled_within [m]
     bool any_bounces_ = false;
     bool any_belts_ = false; ///< whether a surface has a tangent speed
 };

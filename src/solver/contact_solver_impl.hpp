@@ -182,6 +182,7 @@ void ContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, 
     row_count_ = 0;
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
+    settled_within_ = constants.settled_within;
     pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt), F(constants.h)};
 
     build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
@@ -322,7 +323,7 @@ void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatc
 
         // How far the spring of the contact is from where the whole correction would hold it.
         const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
-        if (lane(row.impulse_scale, i) * missing <= settled_within * stiffness) return;
+        if (lane(row.impulse_scale, i) * missing <= settled_within_ * stiffness) return;
         for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
             if (body != 0) watches[body].rest_time = 0;
     });

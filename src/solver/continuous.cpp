@@ -21,9 +21,6 @@ namespace carom::detail
 namespace
 {
 
-/// How near two shapes are when they count as touching [m]. The contact solver takes over well before.
-constexpr float impact_distance = 0.5f * linear_slop;
-
 /// A shape that goes into another no deeper than this share of its inner radius has not begun to pass through: it slides along it, over tiles and
 /// seams. Tests: continuous_test, terrain_test. Against what can give way, more: in a crowd all push all, and who is stopped at each neighbour
 /// keeps a speed with which it does not move (field_scenes_test). For bullets, and for what flies many times its own size in a step, less, since a grazing
@@ -285,6 +282,7 @@ bool ContinuousCollision::carries(std::uint32_t mover, std::uint32_t other) cons
 /// smaller core. They are stopped when they first touch.
 void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Surroundings& near)
 {
+    const Tolerances& tolerances = near.shapes.tolerances;
     Pair& pair = pairs_[index];
     if (after >= 1 || (!can_be_stopped(pair.mover_a) && !can_be_stopped(pair.mover_b))) return;
 
@@ -300,22 +298,24 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     { return near.bodies.records[near.shapes.records[shape].body].first_joint != null_index; };
     const bool are_held = is_held(pair.shape_a) && is_held(pair.shape_b);
     const bool has_bullet = movers_[pair.mover_a].is_bullet || (pair.mover_b != null_index && movers_[pair.mover_b].is_bullet);
-    const float least_way = has_bullet ? 0 : fast_way(thinner);
+    const float least_way = has_bullet ? 0 : fast_way(thinner, tolerances);
     const bool are_dynamic = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
     const bool are_crowded = !has_bullet && !are_held && length(center_way(way_a) - center_way(way_b)) < crowded_way * thinner;
     const float first_share = !are_dynamic ? sliding_share : are_crowded ? crowding_share : grazing_share;
-    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way, first_share * thickness)) return;
+    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way, first_share * thickness, tolerances.linear_slop))
+        return;
 
     const ConvexPoints points_b = convex_points(other);
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})
     {
-        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, impact_distance);
+        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
         if (!inside || *inside > 0) break;
     }
     if (!inside || *inside <= 0 || may_pass(pair, near)) return;
-    const std::optional<float> touch = time_of_impact(convex_points(geometry), way_a, points_b, way_b, impact_distance);
+    const std::optional<float> touch =
+        time_of_impact(convex_points(geometry), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
     const float time = after + (1 - after) * (touch && *touch > 0 ? *touch : *inside);
     impacts_.push_back({time, index, version_of(pair)});
     std::push_heap(impacts_.begin(), impacts_.end(), std::greater<>());
@@ -449,7 +449,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
         {
             ShapeBounds& bounds = shapes.bounds[s];
             bounds.tight = bounds_of(shapes.geometry[s], bodies.poses[mover.body].transform);
-            bounds.fat = fattened(bounds.tight, ahead);
+            bounds.fat = fattened(bounds.tight, ahead, shapes.tolerances.max_bounds_margin);
             broad_phase.update(s, bounds.fat);
             shapes.mark_moved(s);
         }
@@ -458,6 +458,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
 
 void ContinuousCollision::find_crossings(const BodyStore& bodies, const ShapeStore& shapes)
 {
+    const Tolerances& tolerances = shapes.tolerances;
     for (const Pair& pair : sensor_pairs_)
     {
         const Geometry& a = shapes.geometry[pair.shape_a];
@@ -466,18 +467,19 @@ void ContinuousCollision::find_crossings(const BodyStore& bodies, const ShapeSto
         const Transform start_b = pair.mover_b == null_index ? pose_b.transform : movers_[pair.mover_b].start;
         const BodyPose& pose_a = bodies.poses[shapes.records[pair.shape_a].body];
         const Transform& start_a = movers_[pair.mover_a].start;
-        if (overlap(a, b, relative(start_a, start_b)) || overlap(a, b, relative(pose_a.transform, pose_b.transform))) continue;
+        const bool starts_in = overlap(a, b, relative(start_a, start_b), tolerances);
+        if (starts_in || overlap(a, b, relative(pose_a.transform, pose_b.transform), tolerances)) continue;
 
         const auto whole_way = [](const BodyPose& pose, const Transform& start)
         { return Sweep{pose.local_center, start * pose.local_center, pose.center, start.q, angle(relative(start.q, pose.transform.q))}; };
         const Sweep way_a = whole_way(pose_a, start_a);
         const Sweep way_b = whole_way(pose_b, start_b);
-        constexpr float touch = 5e-4f; // [m]
-        const std::optional<float> time = time_of_impact(convex_points(a), way_a, convex_points(b), way_b, touch);
+        const float touch = tolerances.crossing_distance;
+        const std::optional<float> time = time_of_impact(convex_points(a), way_a, convex_points(b), way_b, touch, tolerances);
         if (!time) continue;
         // From just outside, it goes through when its core does.
         const bool is_through =
-            *time > 0 || time_of_impact(core_of(a, sliding_share * inner_radius(a)), way_a, convex_points(b), way_b, touch);
+            *time > 0 || time_of_impact(core_of(a, sliding_share * inner_radius(a)), way_a, convex_points(b), way_b, touch, tolerances);
         if (is_through) crossings_.push_back({std::min(pair.shape_a, pair.shape_b), std::max(pair.shape_a, pair.shape_b)});
     }
     std::sort(crossings_.begin(), crossings_.end());

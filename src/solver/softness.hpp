@@ -1,6 +1,8 @@
 // Soft constraints: a row that gives way like a spring and a damper, stable at any stiffness.
 #pragma once
 
+#include "geometry/tolerances.hpp"
+
 #include <carom/math.hpp>
 #include <carom/world.hpp>
 
@@ -69,6 +71,7 @@ struct ContactConstants
     float push_out_speed = 0;        ///< [m/s]
     float restitution_threshold = 0; ///< [m/s]
     float carry_share = 0;           ///< see carried_impulse: weight of this step's load in its running mean
+    float settled_within = 0;        ///< Tolerances::settled_within [m]
     float warm_scale = 1;            ///< this substep over the one before: impulses are forces times substeps
     Softness between_dynamic;
     Softness with_static; ///< twice as stiff: the ground does not give way
@@ -80,10 +83,6 @@ inline constexpr float carried_part = 0.8f;
 
 /// How fast that correction follows the load [1/s]: slower than a tower sways, or it would drive the swaying. stacking_test breaks.
 inline constexpr float carry_rate = 1.2f;
-
-/// A contact is settled when its spring has no more than this left to come up by [m]: bodies do not sleep before, or they would keep the
-/// sag for as long as they do. stacking_test breaks.
-inline constexpr float settled_within = 0.00025f;
 
 /// A spring is integrated well up to an eighth of the substep rate; stiffer ones ring [1/s].
 inline float contact_stiffness(const SolverTuning& tuning, float h) { return std::min(tuning.contact_hertz, 0.125f / h); }
@@ -103,15 +102,17 @@ inline float warm_scale_of(const SolverTuning& tuning, float h, float h_before)
 /// @param dt       step [s]
 /// @param h        substep [s]
 /// @param h_before substep of the last step [s]; 0 when there was none
-inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before)
+inline ContactConstants make_contact_constants(const SolverTuning& tuning, float dt, float h, float h_before,
+                                               const Tolerances& tolerances = {})
 {
     const float hertz = contact_stiffness(tuning, h);
     return {.dt = dt,
             .h = h,
             .inv_h = 1 / h,
-            .push_out_speed = tuning.push_out_speed,
-            .restitution_threshold = tuning.restitution_threshold,
+            .push_out_speed = tuning.push_out_speed * tolerances.length_unit,
+            .restitution_threshold = tuning.restitution_threshold * tolerances.length_unit,
             .carry_share = carry_rate * dt / (1 + carry_rate * dt),
+            .settled_within = tolerances.settled_within,
             .warm_scale = warm_scale_of(tuning, h, h_before),
             .between_dynamic = make_softness(hertz, tuning.contact_damping_ratio, h),
             .with_static = make_softness(2 * hertz, tuning.contact_damping_ratio, h)};

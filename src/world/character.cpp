@@ -23,11 +23,12 @@ CharacterMove::CharacterMove(Character& character, World& world, Vec2 velocity, 
     : character_(character),
       def_(character.def_),
       world_(world),
+      margins_{.unit = world.length_unit()},
       velocity_(velocity),
       dt_(dt),
       right_(right_perp(def_.up)),
-      skinned_(grown(def_.geometry, def_.skin)),
-      guarded_(grown(def_.geometry, least_skin * def_.skin)),
+      skinned_(grown(def_.geometry, skin(def_))),
+      guarded_(grown(def_.geometry, least_skin * skin(def_))),
       least_up_(sin_cos(def_.max_slope).cos)
 {
 }
@@ -49,14 +50,13 @@ void CharacterMove::carry()
     if (ground.state == GroundState::InAir || !body || body->type() == BodyType::Static) return;
     const Vec2 moved = body->transform() * character_.foot_on_ground_ - ground.point;
     const Vec2 expected = dt_ * body->velocity_at(ground.point);
-    constexpr float surprise = 0.1f; // [m]
-    const bool is_teleport = !(distance(moved, expected) <= surprise + length(expected)) || length(moved) > max_coordinate;
+    const bool is_teleport = !(distance(moved, expected) <= margins_.surprise + length(expected)) || length(moved) > max_coordinate;
     if (is_teleport) return;
 
     Without ground_itself(def_.filter.predicate); // it comes along
     for (const ShapeId shape : body->shapes()) ground_itself.add(shape);
     const std::optional<CastHit> hit = world_.cast_shape(guarded_, here(), moved, filter(&ground_itself));
-    const float back = length(moved) > least_way ? contact_margin / length(moved) : 0;
+    const float back = length(moved) > margins_.least_way ? margins_.contact / length(moved) : 0;
     move_by((hit ? std::max(0.0f, hit->fraction - back) : 1.0f) * moved);
 }
 
@@ -67,18 +67,18 @@ void CharacterMove::get_out()
     constexpr int passes = 16;
     for (int round = 0; round < rounds; ++round)
     {
-        find_planes(contact_margin);
+        find_planes(margins_.contact);
         Vec2 shift;
         for (int pass = 0; pass < passes; ++pass)
             for (std::size_t i = 0; i < plane_count_; ++i)
                 shift += std::max(0.0f, -(planes_[i].separation + dot(shift, planes_[i].normal))) * planes_[i].normal;
-        if (length(shift) < least_way) return;
+        if (length(shift) < margins_.least_way) return;
         // Through what it is in, but not into anything else.
         Without overlapped(def_.filter.predicate);
         for (std::size_t i = 0; i < plane_count_; ++i)
-            if (planes_[i].separation < -(1 - least_skin) * def_.skin) overlapped.add(planes_[i].shape);
+            if (planes_[i].separation < -(1 - least_skin) * skin(def_)) overlapped.add(planes_[i].shape);
         const std::optional<CastHit> hit = world_.cast_shape(guarded_, here(), shift, filter(&overlapped));
-        const float share = hit ? std::max(0.0f, hit->fraction - contact_margin / length(shift)) : 1.0f;
+        const float share = hit ? std::max(0.0f, hit->fraction - margins_.contact / length(shift)) : 1.0f;
         move_by(share * shift);
         if (share <= 0) return;
     }
@@ -141,13 +141,13 @@ const CharacterMove::Plane* CharacterMove::best_support() const
 void CharacterMove::find_ground(float reach)
 {
     character_.ground_ = {};
-    find_planes(contact_margin);
+    find_planes(margins_.contact);
     const Plane* const touched = best_support();
     if (touched && is_walkable(ground_normal(touched->point, touched->normal)))
         return stand_on(touched->shape, touched->body, touched->point, ground_normal(touched->point, touched->normal));
 
     const std::optional<Plane> support = touched ? std::optional(*touched) : std::nullopt; // the planes change below
-    const Vec2 way = -(reach + 2 * contact_margin) * def_.up;
+    const Vec2 way = -(reach + 2 * margins_.contact) * def_.up;
     CastHit below;
     const float share = free_way(way, &below);
     if (share < 1 && is_walkable(ground_normal(below.point, below.normal)))
@@ -162,11 +162,11 @@ Vec2 CharacterMove::run()
 {
     const bool starts_on_ground = is_on_ground();
     const CharacterGround before = character_.ground_;
-    const bool jumps = dot(velocity_, def_.up) > 1e-3f;
+    const bool jumps = dot(velocity_, def_.up) > margins_.jump_speed;
     const bool walks = starts_on_ground && !jumps;
     carry();
     get_out();
-    highest_step_ = lowest_point() - def_.skin + def_.step_height + contact_margin;
+    highest_step_ = lowest_point() - skin(def_) + def_.step_height + margins_.contact;
 
     // On a slope it walks along the ground, up and down, at the speed that was asked for.
     slide(walks ? (dt_ * dot(velocity_, right_)) * right_perp(before.normal) : dt_ * velocity_, walks);
@@ -175,7 +175,7 @@ Vec2 CharacterMove::run()
         character_.ground_ = {};
     else
         find_ground(starts_on_ground ? def_.snap_distance : 0);
-    find_planes(contact_margin);
+    find_planes(margins_.contact);
     push(velocity_ + (starts_on_ground ? before.velocity : Vec2{}));
     if (starts_on_ground && !is_on_ground()) velocity_ += before.velocity;
     if (!starts_on_ground && is_on_ground()) velocity_ -= character_.ground_.velocity;
@@ -188,7 +188,9 @@ Vec2 CharacterMove::run()
 Character::Character(const CharacterDef& def) : def_(def), position_(def.position)
 {
     constexpr std::string_view function = "Character";
-    detail::validate(def.geometry, function);
+    detail::require_range(function, "length_unit", def.length_unit, min_length_unit, max_length_unit);
+    const detail::Tolerances tolerances = {.length_unit = def.length_unit};
+    detail::validate(def.geometry, function, tolerances);
     detail::require_within(function, "position", def.position, max_coordinate);
     detail::require_finite(function, "up", def.up);
     const float length2 = length_squared(def.up);
@@ -198,7 +200,8 @@ Character::Character(const CharacterDef& def) : def_(def), position_(def.positio
     detail::require_range(function, "snap_distance", def.snap_distance, 0, max_coordinate);
     detail::require_range(function, "skin", def.skin, 0.001f, 0.1f);
     detail::require_range(function, "push_force", def.push_force, 0, 1e20f);
-    detail::validate(CharacterMove::grown(def.geometry, def.skin), function); // the largest shapes leave no room for the skin
+    detail::validate(CharacterMove::grown(def.geometry, CharacterMove::skin(def)), function,
+                     tolerances); // the largest shapes leave no room for the skin
 }
 
 void Character::set_position(Vec2 position)
@@ -211,6 +214,8 @@ void Character::set_position(Vec2 position)
 Vec2 Character::move(World& world, Vec2 velocity, float dt)
 {
     detail::require_queryable(world.state("move"), "move");
+    if (world.length_unit() != def_.length_unit)
+        detail::usage_error("move", "world.length_unit", world.length_unit(), "make the character with the same CharacterDef::length_unit");
     detail::require_within("move", "velocity", velocity, max_speed);
     detail::require_range("move", "dt", dt, 1e-6f, 1.0f);
     return CharacterMove(*this, world, velocity, dt).run();

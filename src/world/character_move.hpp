@@ -22,18 +22,29 @@ public:
 
     Vec2 run();
 
+    /// Width of its skin [m].
+    static float skin(const CharacterDef& def) { return def.skin * def.length_unit; }
     /// A shape with a skin around it.
     static Geometry grown(const Geometry& geometry, float by);
 
 private:
     /// Planes that are heeded at once; more than a few touch only in a heap of rubble.
     static constexpr std::size_t most_planes = 16;
-    /// A surface this near to the skin is touched [m]: more than the rounding of a cast that ended there.
-    static constexpr float contact_margin = 2e-4f;
-    /// Ways shorter than this are none [m].
-    static constexpr float least_way = 1e-6f;
     /// Share of the skin that even the bare outline keeps.
     static constexpr float least_skin = 0.2f;
+
+    /// How near is near enough, in a world of length unit `unit`.
+    struct Margins
+    {
+        float unit = 1;               ///< [m]
+        float contact = 2e-4f * unit; ///< a surface this near to the skin is touched: more than the rounding of a cast that ended there [m]
+        float least_way = 1e-6f * unit;   ///< shorter displacements are none [m]
+        float least_step = 0.001f * unit; ///< what rises by less is no step [m]
+        float surprise = 0.1f * unit;     ///< ground that went farther than expected by more than this was teleported [m]
+        float behind_edge = 0.02f * unit; ///< where the face behind an edge is looked for [m]
+        float above_edge = 0.05f * unit;  ///< and from how high above it [m]
+        float jump_speed = 1e-3f * unit;  ///< a faster velocity along `up` is a jump [m/s]
+    };
 
     /// A surface that the skin touches or overlaps.
     struct Plane
@@ -95,6 +106,7 @@ private:
     Character& character_;
     const CharacterDef& def_;
     World& world_;
+    const Margins margins_;
     Vec2 velocity_;
     float dt_;
     Vec2 right_;

@@ -27,12 +27,13 @@ void CharacterMove::move_by(Vec2 way)
 /// The surfaces within a margin of the skin; those that are overlapped deepest are kept when there are too many.
 void CharacterMove::find_planes(float margin)
 {
+    const detail::Tolerances tolerances = {.length_unit = margins_.unit};
     plane_count_ = 0;
     const auto look = [&](ShapeId id)
     {
         const ShapeView shape = std::as_const(world_).shape(id);
         const Transform at = std::as_const(world_).body(shape.body()).transform();
-        const detail::LocalManifold contact = detail::collide(shape.geometry(), skinned_, relative(at, here()), margin);
+        const detail::LocalManifold contact = detail::collide(shape.geometry(), skinned_, relative(at, here()), margin, tolerances);
         if (contact.count == 0) return;
         detail::LocalPoint deepest = contact.points[0];
         if (contact.count == 2 && contact.points[1].separation < deepest.separation) deepest = contact.points[1];
@@ -54,12 +55,10 @@ void CharacterMove::find_planes(float margin)
 /// On the edge of a step, the normal is anything between those of its faces. It counts as ground when the face behind the edge is.
 std::optional<Vec2> CharacterMove::edge_normal(Vec2 point, Vec2 normal) const
 {
-    constexpr float behind = 0.02f; // [m]
-    constexpr float above = 0.05f;  // [m]
     const float side = dot(normal, right_) > 0 ? -1.0f : 1.0f;
     if (dot(normal, def_.up) < 0 || dot(point, def_.up) > highest_step_) return std::nullopt;
-    const Vec2 start = point + behind * side * right_ + above * def_.up;
-    const std::optional<RayHit> face = world_.cast_ray(start, -2 * above * def_.up, filter(def_.filter.predicate));
+    const Vec2 start = point + margins_.behind_edge * side * right_ + margins_.above_edge * def_.up;
+    const std::optional<RayHit> face = world_.cast_ray(start, -2 * margins_.above_edge * def_.up, filter(def_.filter.predicate));
     if (!face || face->starts_inside || !is_walkable(face->normal)) return std::nullopt;
     return face->normal;
 }
@@ -74,8 +73,8 @@ Vec2 CharacterMove::ground_normal(Vec2 point, Vec2 normal) const
 float CharacterMove::free_way(Vec2 way, CastHit* first)
 {
     const float distance = length(way);
-    if (distance < least_way) return 1;
-    find_planes(contact_margin);
+    if (distance < margins_.least_way) return 1;
+    find_planes(margins_.contact);
     Without planes(def_.filter.predicate);
     for (std::size_t i = 0; i < plane_count_; ++i)
         if (planes_[i].separation < 0) planes.add(planes_[i].shape);
@@ -89,7 +88,7 @@ float CharacterMove::free_way(Vec2 way, CastHit* first)
     const std::optional<CastHit> guard = world_.cast_shape(guarded_, here(), way, filter(def_.filter.predicate));
     if (guard && !guard->starts_inside && guard->fraction < share)
     {
-        share = std::max(0.0f, guard->fraction - contact_margin / distance);
+        share = std::max(0.0f, guard->fraction - margins_.contact / distance);
         if (first) *first = *guard;
     }
     return share;
@@ -102,7 +101,7 @@ Vec2 CharacterMove::against(Vec2 way, const Plane& plane) const
     const float into = dot(way, n);
     if (into >= 0) return way;
     const Vec2 along = way - into * n;
-    const bool climbs = dot(along, def_.up) > std::max(0.0f, dot(way, def_.up)) + least_way;
+    const bool climbs = dot(along, def_.up) > std::max(0.0f, dot(way, def_.up)) + margins_.least_way;
     if (!climbs || is_walkable(ground_normal(plane.point, n))) return along;
     const Vec2 wall = normalize(dot(n, right_) * right_);
     const Vec2 beside = way - std::min(0.0f, dot(way, wall)) * wall;
@@ -127,7 +126,7 @@ float CharacterMove::slide_share(Vec2& way)
     const float share = free_way(way, &first);
     const float distance = length(way);
     const float into = dot(way, first.normal);
-    if (share * distance >= least_way || into < -graze * distance) return share;
+    if (share * distance >= margins_.least_way || into < -graze * distance) return share;
     way += (0.01f * graze * distance - into) * first.normal;
     return free_way(way);
 }
@@ -135,9 +134,9 @@ float CharacterMove::slide_share(Vec2& way)
 void CharacterMove::slide(Vec2 way, bool may_step)
 {
     constexpr int most_slides = 6; // each ends at a surface, and two surfaces make a corner
-    for (int i = 0; i < most_slides && length(way) > least_way; ++i)
+    for (int i = 0; i < most_slides && length(way) > margins_.least_way; ++i)
     {
-        find_planes(contact_margin);
+        find_planes(margins_.contact);
         const Vec2 along = against_all(way);
         const float wanted = dot(way, right_);
         const bool is_stopped = dot(along, right_) * wanted <= 0.5f * wanted * wanted;
@@ -152,9 +151,8 @@ void CharacterMove::slide(Vec2 way, bool may_step)
 /// Up, forward and down again. It counts when there is ground, higher than before.
 bool CharacterMove::step_up(Vec2 way)
 {
-    constexpr float least_step = 0.001f; // [m]
     const Vec2 forward = dot(way, right_) * right_;
-    if (def_.step_height <= 0 || length(forward) < least_way) return false;
+    if (def_.step_height <= 0 || length(forward) < margins_.least_way) return false;
     const Vec2 before = character_.position_;
     const Vec2 up = def_.step_height * def_.up;
     const Vec2 lift = free_way(up) * up;
@@ -165,10 +163,10 @@ bool CharacterMove::step_up(Vec2 way)
     CastHit ground;
     const float down = free_way(-lift, &ground);
     move_by(-down * lift);
-    const bool is_higher = dot(character_.position_ - before, def_.up) > least_step;
+    const bool is_higher = dot(character_.position_ - before, def_.up) > margins_.least_step;
     const bool has_ground =
         down < 1 && dot(ground.point, def_.up) <= highest_step_ && is_walkable(ground_normal(ground.point, ground.normal));
-    if (share * length(forward) > least_way && is_higher && has_ground) return true;
+    if (share * length(forward) > margins_.least_way && is_higher && has_ground) return true;
     character_.position_ = before;
     return false;
 }

@@ -28,7 +28,7 @@ void copy_state(WorldState& to, const WorldState& from)
     to.is_continuous = from.is_continuous;
     to.fields = from.fields;
     to.bodies = from.bodies;
-    to.shapes = from.shapes;
+    to.shapes = from.shapes; // and the tolerances
     to.chains = from.chains;
     to.contacts = from.contacts;
     to.joints = from.joints;

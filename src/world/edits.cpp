@@ -30,7 +30,7 @@ void insert_proxy(WorldState& world, std::uint32_t shape)
     const std::uint32_t body = world.shapes.records[shape].body;
     ShapeBounds& bounds = world.shapes.bounds[shape];
     bounds.tight = detail::bounds_of(world.shapes.geometry[shape], world.bodies.poses[body].transform);
-    bounds.fat = fattened(bounds.tight, {});
+    bounds.fat = fattened(bounds.tight, {}, world.shapes.tolerances.max_bounds_margin);
     world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
     world.shapes.mark_moved(shape);
     world.shapes.records[shape].placed_at = world.step_count;

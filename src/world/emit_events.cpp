@@ -13,10 +13,11 @@ namespace
 
 /// Speculative points alone are no touch: the surfaces must have met, or the solver must have pushed. What touches goes on touching
 /// until the surfaces are clearly apart, so that a body at rest does not flicker.
-bool touches(const Contact& contact, const ContactManifold& manifold)
+/// @param slop Tolerances::linear_slop [m]
+bool touches(const Contact& contact, const ContactManifold& manifold, float slop)
 {
     if (contact.is_sensor) return manifold.count > 0;
-    const float apart = contact.is_touching ? linear_slop : 0.0f;
+    const float apart = contact.is_touching ? slop : 0.0f;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
         if (manifold.points[i].total_normal > 0 || manifold.points[i].separation <= apart) return true;
     return false;
@@ -97,7 +98,7 @@ void emit_hit(Contact& contact, const ContactManifold& manifold, const ShapeStor
 {
     if (!shapes.records[contact.shape_a].hit_events && !shapes.records[contact.shape_b].hit_events) return;
     const Impact impact = impact_of(manifold);
-    const bool is_hitting = impact.speed > rules.hit_speed;
+    const bool is_hitting = impact.speed > rules.hit_speed * shapes.tolerances.length_unit;
     if (is_hitting && !contact.is_hitting)
         events.contact_hit.push_back({shape_id(shapes, contact.shape_a, rules.world), shape_id(shapes, contact.shape_b, rules.world),
                                       manifold.points[impact.point].position, manifold.normal, impact.speed});
@@ -168,7 +169,7 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
         Contact& contact = contacts.contacts[slot];
         const ContactManifold& manifold = contacts.manifolds[slot];
         if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;
-        const bool touches_now = touches(contact, manifold);
+        const bool touches_now = touches(contact, manifold, shapes.tolerances.linear_slop);
         events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);
         if (contact.is_sensor)
             emit_sensor(contact, touches_now, shapes, world, events);

@@ -214,6 +214,7 @@ std::uint64_t World::hash() const
     hasher.add_all(world.step_count, world.gravity, world.last_substep);
     if (world.rules.mixing != MaterialMixing{})
         hasher.add_all(static_cast<int>(world.rules.mixing.friction), static_cast<int>(world.rules.mixing.restitution));
+    if (world.shapes.tolerances.length_unit != WorldDef{}.length_unit) hasher.add(world.shapes.tolerances.length_unit);
     if (world.rules.hit_speed != WorldDef{}.hit_speed) hasher.add(world.rules.hit_speed);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);

@@ -56,7 +56,7 @@ JointId World::create_joint(const JointDef& def, const JointSpec& spec)
     WorldState& world = state("create_joint");
     require_idle(world, "create_joint");
     detail::validate(world, def, "create_joint");
-    detail::validate(spec, "create_joint");
+    detail::validate(spec, "create_joint", world.shapes.tolerances);
     detail::validate_ends(def, spec, "create_joint");
     return joint_id(world, detail::create_joint(world, def, spec));
 }
@@ -216,7 +216,7 @@ float JointView::error() const
 void Joint::set_spec(const JointSpec& spec)
 {
     const std::uint32_t slot = editable(*world_, id_, "set_spec");
-    detail::validate(spec, "set_spec");
+    detail::validate(spec, "set_spec", world_->shapes.tolerances);
     detail::Joint& joint = world_->joints.joints[slot];
     if (spec.index() != joint.spec.index())
         detail::usage_error("set_spec", "spec", static_cast<int>(spec.index()), "give one of the joint's own type, or make another joint");

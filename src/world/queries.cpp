@@ -45,7 +45,8 @@ struct RayCaster
     std::optional<detail::CastResult> operator()(const WorldState& world, std::uint32_t shape) const
     {
         const Transform& transform = detail::transform_of(world, shape);
-        return detail::cast_ray(world.shapes.geometry[shape], inverse_transform(transform, start), inverse_rotate(transform.q, sweep));
+        return detail::cast_ray(world.shapes.geometry[shape], inverse_transform(transform, start), inverse_rotate(transform.q, sweep),
+                                world.shapes.tolerances);
     }
 };
 
@@ -55,22 +56,23 @@ struct ShapeCaster
     detail::ConvexPoints points;
     Transform start;
     Vec2 sweep;
+    float touch_distance; ///< of the world [m]
 
-    detail::BoxSweep bounds() const { return {expanded(detail::bounds_of(geometry, start), detail::touch_distance), sweep}; }
+    detail::BoxSweep bounds() const { return {expanded(detail::bounds_of(geometry, start), touch_distance), sweep}; }
     std::optional<detail::CastResult> operator()(const WorldState& world, std::uint32_t shape) const
     {
         const Transform& transform = detail::transform_of(world, shape);
         return detail::cast_shape(detail::convex_points(world.shapes.geometry[shape]), points, relative(transform, start),
-                                  inverse_rotate(transform.q, sweep));
+                                  inverse_rotate(transform.q, sweep), world.shapes.tolerances);
     }
 };
 
-ShapeCaster shape_caster(std::string_view function, const Geometry& geometry, const Transform& start, Vec2 sweep)
+ShapeCaster shape_caster(const WorldState& world, std::string_view function, const Geometry& geometry, const Transform& start, Vec2 sweep)
 {
-    detail::validate(geometry, function);
+    detail::validate(geometry, function, world.shapes.tolerances);
     detail::validate(start, function, "start");
     detail::require_within(function, "sweep", sweep, 2 * max_coordinate);
-    return {geometry, detail::convex_points(geometry), start, sweep};
+    return {geometry, detail::convex_points(geometry), start, sweep, world.shapes.tolerances.touch_distance};
 }
 
 /// Calls report(hit) for each shape that is met, in any order; it returns the fraction that still matters, as a SweepVisitor does.
@@ -152,13 +154,14 @@ void visit_in_shape(WorldState& world, std::string_view function, const Geometry
                     const QueryFilter& filter, Visit&& visit)
 {
     detail::require_queryable(world, function);
-    detail::validate(geometry, function);
+    const detail::Tolerances& tolerances = world.shapes.tolerances;
+    detail::validate(geometry, function, tolerances);
     detail::validate(transform, function, "transform");
-    const Aabb box = expanded(detail::bounds_of(geometry, transform), detail::touch_distance);
+    const Aabb box = expanded(detail::bounds_of(geometry, transform), tolerances.touch_distance);
     detail::for_each_near(world, box, filter, [&](std::uint32_t shape)
     {
         const Transform in_shape = relative(detail::transform_of(world, shape), transform);
-        return !detail::overlap(world.shapes.geometry[shape], geometry, in_shape) || visit(shape);
+        return !detail::overlap(world.shapes.geometry[shape], geometry, in_shape, tolerances) || visit(shape);
     });
 }
 
@@ -259,7 +262,7 @@ std::optional<CastHit> World::cast_shape(const Geometry& geometry, const Transfo
 {
     WorldState& world = state("cast_shape");
     detail::require_queryable(world, "cast_shape");
-    return first_hit(world, shape_caster("cast_shape", geometry, start, sweep), filter);
+    return first_hit(world, shape_caster(world, "cast_shape", geometry, start, sweep), filter);
 }
 
 std::optional<CastHit> World::cast_circle(Vec2 center, float radius, Vec2 sweep, const QueryFilter& filter) const
@@ -267,16 +270,16 @@ std::optional<CastHit> World::cast_circle(Vec2 center, float radius, Vec2 sweep,
     WorldState& world = state("cast_circle");
     detail::require_queryable(world, "cast_circle");
     detail::require_within("cast_circle", "center", center, max_coordinate);
-    detail::require_range("cast_circle", "radius", radius, 0.001f, max_coordinate);
+    detail::require_range("cast_circle", "radius", radius, world.shapes.tolerances.min_edge_length, max_coordinate);
     const Geometry geometry = Circle{{}, radius};
-    return first_hit(world, shape_caster("cast_circle", geometry, {center, {}}, sweep), filter);
+    return first_hit(world, shape_caster(world, "cast_circle", geometry, {center, {}}, sweep), filter);
 }
 
 std::vector<CastHit> World::cast_shape_all(const Geometry& geometry, const Transform& start, Vec2 sweep, const QueryFilter& filter) const
 {
     WorldState& world = state("cast_shape_all");
     detail::require_queryable(world, "cast_shape_all");
-    return all_hits(world, shape_caster("cast_shape_all", geometry, start, sweep), filter);
+    return all_hits(world, shape_caster(world, "cast_shape_all", geometry, start, sweep), filter);
 }
 
 std::vector<ShapeId> World::overlapping(const Aabb& box, const QueryFilter& filter) const
@@ -328,7 +331,7 @@ std::optional<NearestPoint> World::closest_point(Vec2 point, float max_distance,
     detail::require_within("closest_point", "point", point, max_coordinate);
     detail::require_range("closest_point", "max_distance", max_distance, 0, 4 * max_coordinate);
     // As a rule something is near, however far the caller would look.
-    constexpr float first_look = 0.5f; // [m]
+    const float first_look = 0.5f * world.shapes.tolerances.length_unit;
     constexpr float growth = 3;
     for (float reach = first_look; reach < max_distance; reach *= growth)
         if (const std::optional<NearestPoint> nearest = nearest_within(world, point, reach, filter)) return nearest;

@@ -104,7 +104,7 @@ void Shape::set_geometry(const Geometry& geometry)
 {
     const std::uint32_t shape = editable(*world_, id_, "set_geometry");
     detail::require_no_segment(*world_, shape, "set_geometry", "make another chain");
-    detail::validate(geometry, "set_geometry");
+    detail::validate(geometry, "set_geometry", world_->shapes.tolerances);
     detail::validate_density(geometry, world_->shapes.records[shape].density, "set_geometry");
     const std::uint32_t body = world_->shapes.records[shape].body;
     detail::wake_with_neighbors(*world_, body);

@@ -58,7 +58,8 @@ ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt,
     const float h = dt / static_cast<float>(substeps);
     world.joint_solver.build(ColorLists(world.joints, world.arena), world.bodies, world.joints,
                              make_joint_constants(world.tuning, h, world.last_substep));
-    solver.build(contacts, world.bodies, world.contacts, make_contact_constants(world.tuning, dt, h, world.last_substep));
+    solver.build(contacts, world.bodies, world.contacts,
+                 make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances));
     return contacts;
 }
 
@@ -120,7 +121,8 @@ void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, S
     run(Stage::FinalizeBodies, [&]
     {
         std::pmr::vector<LostBody> lost(&world.arena);
-        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed, lost, world.is_continuous ? &fast : nullptr);
+        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed * world.shapes.tolerances.length_unit, lost,
+                        world.is_continuous ? &fast : nullptr);
         put_aside(world, lost);
     });
     run(Stage::Continuous, [&] {

@@ -85,6 +85,7 @@ std::uint32_t require_field(const WorldState& world, FieldId id, std::string_vie
 void validate(const WorldDef& def, std::string_view function)
 {
     require_within(function, "gravity", def.gravity, max_factor);
+    require_range(function, "length_unit", def.length_unit, min_length_unit, max_length_unit);
     validate(def.solver, function);
     validate(def.sleep, function);
     validate(def.mixing, function);
@@ -181,7 +182,7 @@ void validate(const MaterialMixing& mixing, std::string_view function)
 
 void validate_hit_speed(float speed, std::string_view function) { require_range(function, "hit_speed", speed, 0, max_speed); }
 
-void validate(const ChainDef& def, std::string_view function)
+void validate(const ChainDef& def, std::string_view function, const Tolerances& tolerances)
 {
     constexpr std::size_t most_points = 1000000;
     const std::size_t count = def.points.size();
@@ -200,8 +201,9 @@ void validate(const ChainDef& def, std::string_view function)
     for (std::size_t i = 0; i < segments; ++i)
     {
         const std::size_t next = i + 1 < count ? i + 1 : 0;
-        if (distance(def.points[i], def.points[next]) >= 0.999f * min_edge_length) continue;
-        usage_error(function, name_of("points", next), def.points[next], "give neighbours that are at least 1 mm apart");
+        if (distance(def.points[i], def.points[next]) >= 0.999f * tolerances.min_edge_length) continue;
+        usage_error(function, name_of("points", next), def.points[next],
+                    "give neighbours that are at least " + least_size_text(tolerances.min_edge_length, tolerances) + " apart");
     }
     if (def.materials.size() > 1 && def.materials.size() != segments)
         usage_error(function, "materials.size", def.materials.size(), "give none, one, or one for each segment");

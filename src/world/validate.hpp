@@ -32,14 +32,14 @@ void validate(const BodyDef& def, std::string_view function);
 void validate(const ShapeDef& def, std::string_view function);
 /// @param prefix of the fields' names
 void validate(const Material& material, std::string_view function, std::string_view prefix = "material.");
-void validate(const ChainDef& def, std::string_view function);
+void validate(const ChainDef& def, std::string_view function, const Tolerances& tolerances);
 void validate(const MaterialMixing& mixing, std::string_view function);
 void validate_hit_speed(float speed, std::string_view function);
 void validate(const Field& field, std::string_view function);
 void validate(const SleepTuning& tuning, std::string_view function);
 void validate(const SolverTuning& tuning, std::string_view function);
 void validate(const WorldState& world, const JointDef& def, std::string_view function);
-void validate(const JointSpec& spec, std::string_view function);
+void validate(const JointSpec& spec, std::string_view function, const Tolerances& tolerances);
 /// Whether a joint of this type can have the world as its body A.
 void validate_ends(const JointDef& def, const JointSpec& spec, std::string_view function);
 void validate_frame(const Transform& frame, std::string_view field, std::string_view function);

@@ -51,9 +51,9 @@ void validate_spec(const PrismaticJoint& s, std::string_view function)
     validate_spring(s.spring, function);
 }
 
-void validate_spec(const DistanceJoint& s, std::string_view function)
+void validate_spec(const DistanceJoint& s, std::string_view function, const Tolerances& tolerances)
 {
-    require_range(function, "length", s.length, 0.001f, max_coordinate);
+    require_range(function, "length", s.length, tolerances.min_edge_length, max_coordinate);
     validate_range(s.limit, 0, max_coordinate, function);
     validate_spring(s.spring, function);
 }
@@ -96,12 +96,12 @@ void validate_spec(const GearJoint& s, std::string_view function)
             usage_error(function, "motion", static_cast<int>(motion), "give a GearMotion");
 }
 
-void validate_spec(const PulleyJoint& s, std::string_view function)
+void validate_spec(const PulleyJoint& s, std::string_view function, const Tolerances& tolerances)
 {
     require_within(function, "ground_a", s.ground_a, max_coordinate);
     require_within(function, "ground_b", s.ground_b, max_coordinate);
     require_range(function, "ratio", s.ratio, 1 / max_factor, max_factor);
-    require_range(function, "length", s.length, 0.001f, 2 * max_coordinate);
+    require_range(function, "length", s.length, tolerances.min_edge_length, 2 * max_coordinate);
 }
 
 } // namespace
@@ -131,10 +131,16 @@ void validate(const WorldState& world, const JointDef& def, std::string_view fun
     validate_break_limit(def.break_torque, "break_torque", function);
 }
 
-void validate(const JointSpec& spec, std::string_view function)
+void validate(const JointSpec& spec, std::string_view function, const Tolerances& tolerances)
 {
     if (spec.valueless_by_exception()) usage_error(function, "spec", std::string_view("empty"), "give a joint's spec");
-    std::visit([&](const auto& s) { validate_spec(s, function); }, spec);
+    std::visit([&](const auto& s)
+    {
+        if constexpr (requires { validate_spec(s, function, tolerances); }) // has a length that must not be 0
+            validate_spec(s, function, tolerances);
+        else
+            validate_spec(s, function);
+    }, spec);
 }
 
 void validate_ends(const JointDef& def, const JointSpec& spec, std::string_view function)

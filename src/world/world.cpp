@@ -77,7 +77,7 @@ BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const Sh
     WorldState& world = state("create_body");
     require_idle(world, "create_body");
     detail::validate(def, "create_body");
-    detail::validate(geometry, "create_body");
+    detail::validate(geometry, "create_body", world.shapes.tolerances);
     detail::validate(shape, "create_body");
     detail::validate_density(geometry, shape.density, "create_body");
 
@@ -102,7 +102,7 @@ ShapeId World::create_shape(BodyId id, const Geometry& geometry, const ShapeDef&
     WorldState& world = state("create_shape");
     require_idle(world, "create_shape");
     const std::uint32_t body = require_body(world, id, "create_shape");
-    detail::validate(geometry, "create_shape");
+    detail::validate(geometry, "create_shape", world.shapes.tolerances);
     detail::validate(def, "create_shape");
     detail::validate_density(geometry, def.density, "create_shape");
     return detail::shape_id(world.shapes, detail::create_shape(world, body, geometry, def), world.world);
@@ -122,7 +122,7 @@ ChainId World::create_chain(BodyId id, const ChainDef& def)
     WorldState& world = state("create_chain");
     require_idle(world, "create_chain");
     const std::uint32_t body = require_body(world, id, "create_chain");
-    detail::validate(def, "create_chain");
+    detail::validate(def, "create_chain", world.shapes.tolerances);
     const std::uint32_t chain = detail::create_chain(world, body, def);
     return {chain, world.chains.slots.generation(chain), world.world};
 }
@@ -351,6 +351,8 @@ void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& option
     detail::validate(type, options, "set_broad_phase");
     detail::set_broad_phase(world, type, options);
 }
+
+float World::length_unit() const { return state("length_unit").shapes.tolerances.length_unit; }
 
 SolverTuning World::solver_tuning() const { return state("solver_tuning").tuning; }
 

@@ -63,6 +63,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       field_forces(memory_for(MemoryCategory::Solver)),
       arena(first_arena, &memory_for(MemoryCategory::Scratch))
 {
+    shapes.tolerances = {.length_unit = def.length_unit};
     const std::size_t body_count = room(def.capacity.bodies);
     const std::size_t shape_count = room(def.capacity.shapes);
     const std::size_t contact_count = room(def.capacity.contacts);

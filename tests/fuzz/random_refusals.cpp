@@ -208,7 +208,7 @@ void RandomApi::call_stale_id()
 
 void RandomApi::make_mistake()
 {
-    switch (draw_.random.below(13))
+    switch (draw_.random.below(15))
     {
     case 0: return must_refuse("body", [&] { world_.body(foreign_); });
     case 1: return must_refuse("create_body", [&] { world_.create_body({.position = {nan, 0}}); });
@@ -222,6 +222,8 @@ void RandomApi::make_mistake()
     case 9: return must_refuse("set_hit_speed", [&] { world_.set_hit_speed(nan); });
     case 10: return must_refuse("mass_of", [&] { mass_of(circle(1), nan); });
     case 11: return must_refuse("joint_at", [&] { world_.joint_at({}, foreign_, {}); });
+    case 12: return must_refuse("World", [&] { World({.length_unit = 0}); });
+    case 13: return must_refuse("box", [&] { box(1, 1, nan); });
     default: return must_refuse("set_gravity", [&] { world_.set_gravity({0, inf}); });
     }
 }
