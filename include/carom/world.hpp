@@ -84,6 +84,10 @@ struct WorldDef
     bool continuous = true; ///< fast bodies are stopped at what they would pass through
     MaterialMixing mixing = {};
     float hit_speed = 1; ///< slower collisions make no ContactHit [length units/s], 0 to 1e6
+    /// Most pairs of near shapes (StepReport::pairs), 0 to 2^30. A guard against bodies that are put into one place by mistake, where n of
+    /// them are n (n - 1) / 2 pairs: a step that would find more throws UsageError, which names the place, and leaves the world as it was.
+    /// 0 allows 64 for each shape, and 524,288 in any case. A pair takes about 1 KB.
+    int max_pairs = 0;
     CapacityHints capacity = {};
     ContactHooks* hooks = nullptr; ///< must outlive the world's last step and edit, or be replaced before; null for none
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.
@@ -168,6 +172,8 @@ public:
     /// @param dt       [s], 0 or from 1e-6 to 1; 0 updates contacts and events, moves nothing and leaves forces for the next step
     /// @param substeps parts into which the step is divided, 1 to 64; more make stiff piles and fast spins more exact
     /// @param probe    called at the end of each stage, to look inside the step; null for none
+    /// @throws UsageError also when there would be more pairs than WorldDef::max_pairs; then nothing has moved, and events are cleared. Make room, or
+    ///         raise the limit, and step on.
     StepReport step(float dt, int substeps = 4, StepProbe* probe = nullptr);
     /// What happened in the last step.
     Events events() const;
@@ -238,6 +244,8 @@ public:
     void set_mixing(const MaterialMixing& mixing); ///< also for contacts that exist; wakes all
     float hit_speed() const;                       ///< [length units/s]
     void set_hit_speed(float speed);               ///< [length units/s], 0 to 1e6
+    int max_pairs() const;                         ///< as it was set: 0 when the world chooses
+    void set_max_pairs(int count);                 ///< 0 to 2^30; for the steps to come
     ContactHooks* hooks() const;
     /// Surfaces of contacts that exist mix anew; pairs that are together stay so, and sleepers sleep on. The hooks must outlive
     /// the world's last step and edit, or be replaced before; null for none.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "broadphase/box_sweep.hpp"
+#include "broadphase/pair_list.hpp"
 #include "broadphase/query_gate.hpp"
 
 #include <carom/broad_phase.hpp>
@@ -16,18 +17,6 @@
 
 namespace carom::detail
 {
-
-/// The index of a shape in the shape store. Small and dense, so arrays can be addressed by it.
-using ProxyIndex = std::uint32_t;
-
-/// Two shapes with overlapping boxes; a < b.
-struct ProxyPair
-{
-    ProxyIndex a;
-    ProxyIndex b;
-
-    friend constexpr auto operator<=>(const ProxyPair&, const ProxyPair&) = default;
-};
 
 /// Shapes that never move are kept apart from those that do: two Static proxies are never a pair.
 enum class ProxyKind : std::uint8_t
@@ -84,10 +73,21 @@ public:
     /// Gives a proxy a new box.
     virtual void update(ProxyIndex proxy, const Aabb& box) = 0;
 
-    /// Appends every pair of overlapping boxes of which at least one is among `moved` and at least one is Moving. Each pair comes
-    /// once. The order is the implementation's own: the caller sorts what it keeps.
+    /// Adds every pair of overlapping boxes of which at least one is among `moved` and at least one is Moving. Each pair comes
+    /// once. The order is the implementation's own: the caller sorts what it keeps. Ends early when the list is full.
     /// @param moved   in any order, without repetition, all of them in; may hold Static ones (they were inserted or teleported)
-    virtual void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) = 0;
+    void find_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
+    {
+        const std::size_t found_before = pairs.found();
+        search_pairs(moved, pairs);
+        stats_.pairs_found = pairs.found() - found_before;
+    }
+    /// All of them.
+    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+    {
+        PairList list(pairs);
+        find_pairs(moved, list);
+    }
 
     // Queries see the boxes as they are at the moment, whether or not find_pairs was called since. Several threads may query at once, while
     // nobody changes anything. They are not const because the first one after a change brings the structure up to date; it costs no
@@ -123,6 +123,8 @@ protected:
     BroadPhaseStats stats_;
 
 private:
+    /// Counts what it tests and its nodes in stats_.
+    virtual void search_pairs(std::span<const ProxyIndex> moved, PairList& pairs) = 0;
     virtual void prepare_queries() = 0;
     virtual void visit_boxes(const Aabb& box, BoxVisitor& visitor) const = 0;
     virtual void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const = 0;

@@ -36,19 +36,19 @@ Meetings meetings_of(const BoxTree& tree_a, std::uint32_t a, const BoxTree& tree
     return meetings;
 }
 
-void emit(const TreeNode& a, const TreeNode& b, Meetings meetings, std::pmr::vector<ProxyPair>& pairs)
+void emit(const TreeNode& a, const TreeNode& b, Meetings meetings, PairList& pairs)
 {
-    for_each_meeting(meetings, [&](unsigned i, unsigned j)
-    { pairs.push_back({std::min(a.child[i], b.child[j]), std::max(a.child[i], b.child[j])}); });
+    for_each_meeting(meetings,
+                     [&](unsigned i, unsigned j) { pairs.add({std::min(a.child[i], b.child[j]), std::max(a.child[i], b.child[j])}); });
 }
 
 } // namespace
 
-void PairWalk::within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::within(const BoxTree& tree, PairList& pairs)
 {
     if (tree.is_empty()) return;
     stack_.push_back({0, 0});
-    while (!stack_.empty())
+    while (!stack_.empty() && !pairs.is_full())
     {
         const NodePair top = stack_.back();
         stack_.pop_back();
@@ -57,28 +57,30 @@ void PairWalk::within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs)
         else
             visit_pair(tree, tree, top, pairs);
     }
+    stack_.clear();
 }
 
-void PairWalk::between(const BoxTree& tree_a, const BoxTree& tree_b, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::between(const BoxTree& tree_a, const BoxTree& tree_b, PairList& pairs)
 {
     if (tree_a.is_empty() || tree_b.is_empty()) return;
     stack_.push_back({0, 0});
-    while (!stack_.empty())
+    while (!stack_.empty() && !pairs.is_full())
     {
         const NodePair top = stack_.back();
         stack_.pop_back();
         visit_pair(tree_a, tree_b, top, pairs);
     }
+    stack_.clear();
 }
 
-void PairWalk::queries_within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::queries_within(const BoxTree& tree, PairList& pairs)
 {
     // Two that moved find each other twice: the lower one reports.
     const auto is_reported = [](ProxyIndex self, ProxyIndex other, bool has_other_moved) { return !has_other_moved || self < other; };
     query_each_moved(tree, tree, pairs, is_reported);
 }
 
-void PairWalk::queries_between(const BoxTree& tree_a, const BoxTree& tree_b, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::queries_between(const BoxTree& tree_a, const BoxTree& tree_b, PairList& pairs)
 {
     query_each_moved(tree_a, tree_b, pairs, [](ProxyIndex, ProxyIndex, bool) { return true; });
     query_each_moved(tree_b, tree_a, pairs, [](ProxyIndex, ProxyIndex, bool has_other_moved) { return !has_other_moved; });
@@ -87,12 +89,13 @@ void PairWalk::queries_between(const BoxTree& tree_a, const BoxTree& tree_b, std
 /// Looks up the moved proxies of one tree in another, in the order of their leaves, so that one query finds the nodes of the one before
 /// in the cache.
 template <class IsReported>
-void PairWalk::query_each_moved(const BoxTree& from, const BoxTree& in, std::pmr::vector<ProxyPair>& pairs, IsReported is_reported)
+void PairWalk::query_each_moved(const BoxTree& from, const BoxTree& in, PairList& pairs, IsReported is_reported)
 {
     if (in.is_empty()) return;
     for (const std::uint32_t index : from.moved_nodes())
     {
         const TreeNode& leaf = from.node(index);
+        if (pairs.is_full()) return;
         if (!leaf.is_leaf) continue;
         for (unsigned lane = 0; lane < 4; ++lane)
         {
@@ -100,8 +103,7 @@ void PairWalk::query_each_moved(const BoxTree& from, const BoxTree& in, std::pmr
             const ProxyIndex self = leaf.child[lane];
             const auto report = [&](ProxyIndex other, bool has_other_moved)
             {
-                if (other != self && is_reported(self, other, has_other_moved))
-                    pairs.push_back({std::min(self, other), std::max(self, other)});
+                if (other != self && is_reported(self, other, has_other_moved)) pairs.add({std::min(self, other), std::max(self, other)});
             };
             query(in, get_box(from.boxes(index), lane), report);
         }
@@ -131,7 +133,7 @@ void PairWalk::query(const BoxTree& tree, const Aabb& box, Report report)
 }
 
 /// The pairs inside one node: each child with the later ones, and, below, with itself.
-void PairWalk::visit_node(const BoxTree& tree, std::uint32_t index, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::visit_node(const BoxTree& tree, std::uint32_t index, PairList& pairs)
 {
     constexpr Meetings with_later = 0b0000'1000'1100'1110;
     constexpr Meetings with_itself = 0b1000'0100'0010'0001;
@@ -149,7 +151,7 @@ void PairWalk::visit_node(const BoxTree& tree, std::uint32_t index, std::pmr::ve
 }
 
 /// The pairs of one child of node a with one of node b.
-void PairWalk::visit_pair(const BoxTree& tree_a, const BoxTree& tree_b, NodePair nodes, std::pmr::vector<ProxyPair>& pairs)
+void PairWalk::visit_pair(const BoxTree& tree_a, const BoxTree& tree_b, NodePair nodes, PairList& pairs)
 {
     const TreeNode& a = tree_a.node(nodes.a);
     const TreeNode& b = tree_b.node(nodes.b);

@@ -15,13 +15,13 @@ public:
     void reserve() { stack_.reserve(256); } ///< deep enough for any tree
 
     /// Appends each pair of proxies of the tree that overlap and of which at least one moved.
-    void within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs);
+    void within(const BoxTree& tree, PairList& pairs);
     /// The same with one proxy from each tree.
-    void between(const BoxTree& tree_a, const BoxTree& tree_b, std::pmr::vector<ProxyPair>& pairs);
+    void between(const BoxTree& tree_a, const BoxTree& tree_b, PairList& pairs);
 
     /// The same, by looking up each moved proxy. Better when few have moved: then the pairs of nodes share little.
-    void queries_within(const BoxTree& tree, std::pmr::vector<ProxyPair>& pairs);
-    void queries_between(const BoxTree& tree_a, const BoxTree& tree_b, std::pmr::vector<ProxyPair>& pairs);
+    void queries_within(const BoxTree& tree, PairList& pairs);
+    void queries_between(const BoxTree& tree_a, const BoxTree& tree_b, PairList& pairs);
 
     std::size_t pairs_tested = 0;
 
@@ -36,12 +36,12 @@ private:
     using Meetings = unsigned;
 
     template <class IsReported>
-    void query_each_moved(const BoxTree& from, const BoxTree& in, std::pmr::vector<ProxyPair>& pairs, IsReported is_reported);
+    void query_each_moved(const BoxTree& from, const BoxTree& in, PairList& pairs, IsReported is_reported);
     template <class Report>
     void query(const BoxTree& tree, const Aabb& box, Report report);
     void push(const TreeNode& a, const TreeNode& b, Meetings meetings);
-    void visit_node(const BoxTree& tree, std::uint32_t node, std::pmr::vector<ProxyPair>& pairs);
-    void visit_pair(const BoxTree& tree_a, const BoxTree& tree_b, NodePair nodes, std::pmr::vector<ProxyPair>& pairs);
+    void visit_node(const BoxTree& tree, std::uint32_t node, PairList& pairs);
+    void visit_pair(const BoxTree& tree_a, const BoxTree& tree_b, NodePair nodes, PairList& pairs);
 
     std::pmr::vector<NodePair> stack_;
 };

@@ -23,11 +23,9 @@ Quadtree::Quadtree(const BroadPhaseOptions& options, std::pmr::memory_resource& 
 {
 }
 
-void Quadtree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+void Quadtree::search_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
 {
-    const std::size_t pairs_before = pairs.size();
-    search(moved, [&pairs](ProxyPair pair) { pairs.push_back(pair); });
-    stats_.pairs_found = pairs.size() - pairs_before;
+    search(moved, pairs, [&pairs](ProxyPair pair) { pairs.add(pair); });
 }
 
 void Quadtree::insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind)

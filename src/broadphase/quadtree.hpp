@@ -19,14 +19,13 @@ public:
     void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
     void remove(ProxyIndex proxy) override;
     void update(ProxyIndex proxy, const Aabb& box) override;
-    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
 
 protected:
     /// Builds the tree and finds the pairs, each once; all of `stats_` but pairs_found. Defined in quadtree_search.hpp.
     /// @param found is called with each pair, in the order of the tree
     template <class Found>
-    void search(std::span<const ProxyIndex> moved, Found found);
+    void search(std::span<const ProxyIndex> moved, const PairList& pairs, Found found);
 
 private:
     using Entry = ProxyTable::Entry;
@@ -42,6 +41,7 @@ private:
         bool has_moved; ///< in the subtree
     };
 
+    void search_pairs(std::span<const ProxyIndex> moved, PairList& pairs) override;
     void prepare_queries() override;
     void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override;
     void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override;
@@ -55,7 +55,7 @@ private:
     std::uint32_t build_node(std::uint32_t index, int depth, std::uint32_t begin, std::uint32_t end);
     void enlist(std::uint32_t index, std::uint32_t place);
     template <class Found>
-    void pair_within(const Node& node, Found found);
+    void pair_within(const Node& node, const PairList& pairs, Found found);
     template <class Found>
     void pair_below(const Node& node, const Entry& self, Found found);
     std::uint32_t place_of(std::uint32_t index) const { return index < directory_.size() ? directory_[index] : absent; }

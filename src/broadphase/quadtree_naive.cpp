@@ -16,7 +16,7 @@ QuadtreeNaive::QuadtreeNaive(const BroadPhaseOptions& options, std::pmr::memory_
 {
 }
 
-void QuadtreeNaive::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+void QuadtreeNaive::search_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
 {
     stats_ = {};
     node_count_ = 0;
@@ -30,10 +30,10 @@ void QuadtreeNaive::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vect
     for (std::uint32_t i = 0; i < entries.size(); ++i) insert_below(0, i);
 
     found_.clear();
-    for (std::size_t n = 0; n < node_count_; ++n)
+    for (std::size_t n = 0; n < node_count_ && !pairs.is_full(); ++n)
     {
         const std::pmr::vector<std::uint32_t>& shapes = nodes_[n].shapes;
-        for (std::size_t i = 0; i < shapes.size(); ++i)
+        for (std::size_t i = 0; i < shapes.size() && !pairs.is_full(); ++i)
         {
             const ProxyTable::Entry& self = entries[shapes[i]];
             for (std::size_t j = i + 1; j < shapes.size(); ++j)
@@ -43,12 +43,11 @@ void QuadtreeNaive::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vect
                 ++stats_.pairs_tested;
                 if (!overlaps(self.box, other.box)) continue;
                 const ProxyPair pair = ordered_pair(self.proxy, other.proxy);
-                if (found_.insert(pair).second) pairs.push_back(pair);
+                if (found_.insert(pair).second) pairs.add(pair);
             }
         }
     }
     table_.set_moved(moved, false);
-    stats_.pairs_found = found_.size();
     stats_.nodes = node_count_;
 }
 

@@ -10,17 +10,18 @@ namespace carom::detail
 {
 
 template <class Found>
-void Quadtree::search(std::span<const ProxyIndex> moved, Found found)
+void Quadtree::search(std::span<const ProxyIndex> moved, const PairList& pairs, Found found)
 {
     stats_ = {};
     table_.set_moved(moved, true);
     build_all();
     for (const Node& node : nodes_)
     {
+        if (pairs.is_full()) break;
         if (!node.has_moved) continue;
-        pair_within(node, found);
+        pair_within(node, pairs, found);
         if (node.own_end == node.end) continue;
-        for (std::uint32_t i = node.begin; i < node.own_end; ++i) pair_below(node, sorted_[i], found);
+        for (std::uint32_t i = node.begin; i < node.own_end && !pairs.is_full(); ++i) pair_below(node, sorted_[i], found);
     }
     table_.set_moved(moved, false);
     stats_.nodes = nodes_.size();
@@ -28,11 +29,12 @@ void Quadtree::search(std::span<const ProxyIndex> moved, Found found)
 
 /// Pairs among the node's own shapes.
 template <class Found>
-void Quadtree::pair_within(const Node& node, Found found)
+void Quadtree::pair_within(const Node& node, const PairList& pairs, Found found)
 {
     for (std::uint32_t i = node.begin; i < node.own_end; ++i)
     {
         const Entry& self = sorted_[i];
+        if (pairs.is_full()) return;
         if (!self.is_moved) continue;
         for (std::uint32_t j = node.begin; j < node.own_end; ++j)
         {

@@ -6,14 +6,13 @@
 namespace carom::detail
 {
 
-void QuadtreeWithSet::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+void QuadtreeWithSet::search_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
 {
     found_.clear();
-    search(moved, [this, &pairs](ProxyPair pair)
+    search(moved, pairs, [this, &pairs](ProxyPair pair)
     {
-        if (found_.insert(pair).second) pairs.push_back(pair);
+        if (found_.insert(pair).second) pairs.add(pair);
     });
-    stats_.pairs_found = found_.size();
 }
 
 } // namespace carom::detail

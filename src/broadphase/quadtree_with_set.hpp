@@ -17,9 +17,9 @@ public:
     QuadtreeWithSet(const BroadPhaseOptions& options, std::pmr::memory_resource& memory) : Quadtree(options, memory), found_(&memory) {}
 
     BroadPhaseType type() const override { return BroadPhaseType::QuadtreeWithSet; }
-    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
 
 private:
+    void search_pairs(std::span<const ProxyIndex> moved, PairList& pairs) override;
     std::pmr::unordered_set<ProxyPair, PairHash> found_;
 };
 

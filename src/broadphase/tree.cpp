@@ -87,9 +87,8 @@ void Tree::mark_and_refit(std::span<const ProxyIndex> moved)
     static_.refit();
 }
 
-void Tree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs)
+void Tree::search_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
 {
-    const std::size_t pairs_before = pairs.size();
     moving_.settle();
     static_.settle();
     mark_and_refit(moved);
@@ -113,7 +112,7 @@ void Tree::find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyP
     }
     moving_.clear_moved();
     static_.clear_moved();
-    stats_ = {walk_.pairs_tested, pairs.size() - pairs_before, moving_.node_count() + static_.node_count()};
+    stats_ = {walk_.pairs_tested, 0, moving_.node_count() + static_.node_count()};
 }
 
 void Tree::list_nodes(std::vector<BroadPhaseNode>& nodes) const

@@ -19,10 +19,10 @@ public:
     void insert(ProxyIndex proxy, const Aabb& box, ProxyKind kind) override;
     void remove(ProxyIndex proxy) override;
     void update(ProxyIndex proxy, const Aabb& box) override;
-    void find_pairs(std::span<const ProxyIndex> moved, std::pmr::vector<ProxyPair>& pairs) override;
     void list_nodes(std::vector<BroadPhaseNode>& nodes) const override;
 
 private:
+    void search_pairs(std::span<const ProxyIndex> moved, PairList& pairs) override;
     void prepare_queries() override;
     void visit_boxes(const Aabb& box, BoxVisitor& visitor) const override;
     void visit_sweep(const BoxSweep& sweep, SweepVisitor& visitor) const override;

@@ -4,6 +4,7 @@
 #include "dynamics/mix_materials.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace carom::detail
 {
@@ -23,6 +24,62 @@ bool are_held_apart(const BodyStore& bodies, const JointStore& joints, std::uint
     return false;
 }
 
+/// However many shapes there are, so many pairs are allowed when the user sets no limit. Beyond, a step takes seconds and the world half a gigabyte.
+constexpr std::size_t least_most_pairs = std::size_t{1} << 19;
+
+/// Pairs allowed for each shape when the user sets no limit. Packed discs have 3, boxes 4; rubble of mixed sizes, with its fat bounds, up to 10.
+constexpr std::size_t most_pairs_of_a_shape = 64;
+
+/// Drops pairs that may not meet, and those that are contacts already.
+class NewsFilter final : public PairFilter
+{
+public:
+    NewsFilter(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, const PairSet& known)
+        : shapes_(shapes),
+          bodies_(bodies),
+          joints_(joints),
+          known_(known)
+    {
+    }
+
+    void filter(std::pmr::vector<ProxyPair>& pairs, std::size_t first) override
+    {
+        const auto is_no_news = [this](ProxyPair pair)
+        { return !judge_pair(shapes_, bodies_, joints_, pair).makes_contact || known_.contains(pair); };
+        pairs.erase(std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), is_no_news), pairs.end());
+    }
+
+private:
+    const ShapeStore& shapes_;
+    const BodyStore& bodies_;
+    const JointStore& joints_;
+    const PairSet& known_;
+};
+
+/// Looks for the crowd among the contacts and the new pairs. A shape of the ground has many pairs in good order, so only dynamic bodies count.
+PairSearch over_limit(const ShapeStore& shapes, const BodyStore& bodies, const ContactStore& contacts, std::span<const ProxyPair> found,
+                      std::pmr::memory_resource& scratch)
+{
+    std::pmr::vector<std::uint32_t> counts(shapes.records.size(), 0, &scratch);
+    const auto count = [&](std::uint32_t shape)
+    {
+        if (bodies.is_dynamic(shapes.records[shape].body)) ++counts[shape];
+    };
+    for (const Contact& contact : contacts.contacts)
+    {
+        if (!contact.is_live) continue;
+        count(contact.shape_a);
+        count(contact.shape_b);
+    }
+    for (const ProxyPair pair : found)
+    {
+        count(pair.a);
+        count(pair.b);
+    }
+    const auto most = std::max_element(counts.begin(), counts.end());
+    return {.is_over_limit = true, .crowded_shape = static_cast<std::uint32_t>(most - counts.begin()), .crowd = *most};
+}
+
 } // namespace
 
 PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, ProxyPair pair)
@@ -35,21 +92,30 @@ PairVerdict judge_pair(const ShapeStore& shapes, const BodyStore& bodies, const 
     return {.makes_contact = can_push && !are_held_apart(bodies, joints, a.body, b.body), .is_sensor = false};
 }
 
-bool find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
-                PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch)
+std::size_t most_pairs(const ContactRules& rules, const ShapeStore& shapes)
+{
+    if (rules.max_pairs > 0) return static_cast<std::size_t>(rules.max_pairs);
+    const auto count = static_cast<std::size_t>(shapes.slots.live_count());
+    return std::max(least_most_pairs, most_pairs_of_a_shape * count);
+}
+
+PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, const JointStore& joints, ContactStore& contacts,
+                      PairSet& known, const ContactRules& rules, std::pmr::memory_resource& scratch)
 {
     contacts.begin_search();
     const bool has_nodes = broad_phase.stats().nodes > 0; // one that is new to the world has yet to make them
     if (shapes.moved.empty() && has_nodes)
     {
         broad_phase.skip_search();
-        return false;
+        return {};
     }
     std::pmr::vector<ProxyPair> found(&scratch);
-    broad_phase.find_pairs(shapes.moved, found);
-
-    const auto is_no_news = [&](ProxyPair pair) { return !judge_pair(shapes, bodies, joints, pair).makes_contact || known.contains(pair); };
-    found.erase(std::remove_if(found.begin(), found.end(), is_no_news), found.end());
+    NewsFilter filter(shapes, bodies, joints, known);
+    const std::size_t most = most_pairs(rules, shapes);
+    PairList list(found, filter, most - std::min(most, known.size()));
+    broad_phase.find_pairs(shapes.moved, list);
+    list.finish();
+    if (list.is_full()) return over_limit(shapes, bodies, contacts, found, scratch);
     std::sort(found.begin(), found.end());
     if (rules.hooks != nullptr) // in the order of the shapes
     {
@@ -74,7 +140,7 @@ bool find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bodies, 
         any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));
     }
     shapes.clear_moved(); // last: if memory runs out above, the next step looks for the pairs again
-    return any_idle;
+    return {.has_idle = any_idle};
 }
 
 } // namespace carom::detail

@@ -24,6 +24,7 @@ void copy_state(WorldState& to, const WorldState& from)
     to.tuning = from.tuning;
     to.rules.mixing = from.rules.mixing; // not the hooks: they belong to the world that they were given to
     to.rules.hit_speed = from.rules.hit_speed;
+    to.rules.max_pairs = from.rules.max_pairs;
     to.sleep = from.sleep;
     to.is_continuous = from.is_continuous;
     to.fields = from.fields;

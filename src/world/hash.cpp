@@ -216,6 +216,7 @@ std::uint64_t World::hash() const
         hasher.add_all(static_cast<int>(world.rules.mixing.friction), static_cast<int>(world.rules.mixing.restitution));
     if (world.shapes.tolerances.length_unit != WorldDef{}.length_unit) hasher.add(world.shapes.tolerances.length_unit);
     if (world.rules.hit_speed != WorldDef{}.hit_speed) hasher.add(world.rules.hit_speed);
+    if (world.rules.max_pairs != 0) hasher.add(world.rules.max_pairs);
     hasher.add_all(world.tuning.contact_hertz, world.tuning.contact_damping_ratio, world.tuning.push_out_speed,
                    world.tuning.restitution_threshold, world.tuning.joint_hertz, world.tuning.joint_damping_ratio);
     if (world.tuning.warm_starting != SolverTuning{}.warm_starting) hasher.add(world.tuning.warm_starting);

@@ -3,6 +3,7 @@
 
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
+#include "math/usage_error.hpp"
 #include "solver/contact_solver.hpp"
 #include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 namespace carom::detail
 {
@@ -31,6 +33,18 @@ void put_aside(WorldState& world, std::span<const LostBody> lost)
         world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
         world.quarantine_reasons.push_back(reason);
     }
+}
+
+/// Ends the step before anything has moved.
+[[noreturn]] void refuse_crowd(WorldState& world, const PairSearch& search)
+{
+    world.is_broken = false; // the world is as it was before the step
+    const Vec2 place = world.bodies.poses[world.shapes.records[search.crowded_shape].body].center;
+    const auto number = [](float value) { return std::to_string(std::llround(value)); };
+    usage_error("step", "pairs", "more than " + std::to_string(most_pairs(world.rules, world.shapes)),
+                "too many shapes lie in one place: the one of index " + std::to_string(search.crowded_shape) + " alone, near (" +
+                    number(place.x) + ", " + number(place.y) + "), is near at least " + std::to_string(search.crowd) +
+                    " others; move them apart, destroy some, keep them from meeting by a filter, or give WorldDef::max_pairs");
 }
 
 /// Those that pulled harder than they may are gone after the step.
@@ -165,8 +179,10 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
 
     run(Stage::FindPairs, [&]
     {
-        if (find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena))
-            world.must_review = true;
+        const PairSearch search =
+            find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
+        if (search.is_over_limit) refuse_crowd(world, search);
+        if (search.has_idle) world.must_review = true;
         make_room_for_contacts(world);
     });
     run(Stage::UpdateManifolds, [&] { update_contacts(world); });

@@ -90,6 +90,7 @@ void validate(const WorldDef& def, std::string_view function)
     validate(def.sleep, function);
     validate(def.mixing, function);
     validate_hit_speed(def.hit_speed, function);
+    validate_max_pairs(def.max_pairs, function);
     validate(def.broad_phase, def.broad_phase_options, function);
     constexpr int most = 1 << 24;
     require_range(function, "capacity.bodies", def.capacity.bodies, 0, most);
@@ -179,6 +180,8 @@ void validate(const MaterialMixing& mixing, std::string_view function)
     require_mix("mixing.friction", mixing.friction);
     require_mix("mixing.restitution", mixing.restitution);
 }
+
+void validate_max_pairs(int count, std::string_view function) { require_range(function, "max_pairs", count, 0, 1 << 30); }
 
 void validate_hit_speed(float speed, std::string_view function) { require_range(function, "hit_speed", speed, 0, max_speed); }
 

@@ -34,6 +34,7 @@ void validate(const ShapeDef& def, std::string_view function);
 void validate(const Material& material, std::string_view function, std::string_view prefix = "material.");
 void validate(const ChainDef& def, std::string_view function, const Tolerances& tolerances);
 void validate(const MaterialMixing& mixing, std::string_view function);
+void validate_max_pairs(int count, std::string_view function);
 void validate_hit_speed(float speed, std::string_view function);
 void validate(const Field& field, std::string_view function);
 void validate(const SleepTuning& tuning, std::string_view function);

@@ -415,6 +415,16 @@ void World::set_hit_speed(float speed)
     world.rules.hit_speed = speed;
 }
 
+int World::max_pairs() const { return state("max_pairs").rules.max_pairs; }
+
+void World::set_max_pairs(int count)
+{
+    WorldState& world = state("set_max_pairs");
+    require_idle(world, "set_max_pairs");
+    detail::validate_max_pairs(count, "set_max_pairs");
+    world.rules.max_pairs = count;
+}
+
 ContactHooks* World::hooks() const { return state("hooks").rules.hooks; }
 
 void World::set_hooks(ContactHooks* hooks)

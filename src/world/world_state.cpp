@@ -45,7 +45,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       tuning(def.solver),
       sleep(def.sleep),
       is_continuous(def.continuous),
-      rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed},
+      rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed, .max_pairs = def.max_pairs},
       broad_phase_options(def.broad_phase_options),
       fields(memory_for(MemoryCategory::World)),
       bodies(memory_for(MemoryCategory::Bodies)),

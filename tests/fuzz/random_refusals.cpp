@@ -208,7 +208,7 @@ void RandomApi::call_stale_id()
 
 void RandomApi::make_mistake()
 {
-    switch (draw_.random.below(15))
+    switch (draw_.random.below(16))
     {
     case 0: return must_refuse("body", [&] { world_.body(foreign_); });
     case 1: return must_refuse("create_body", [&] { world_.create_body({.position = {nan, 0}}); });
@@ -224,6 +224,7 @@ void RandomApi::make_mistake()
     case 11: return must_refuse("joint_at", [&] { world_.joint_at({}, foreign_, {}); });
     case 12: return must_refuse("World", [&] { World({.length_unit = 0}); });
     case 13: return must_refuse("box", [&] { box(1, 1, nan); });
+    case 14: return must_refuse("set_max_pairs", [&] { world_.set_max_pairs(-1); });
     default: return must_refuse("set_gravity", [&] { world_.set_gravity({0, inf}); });
     }
 }

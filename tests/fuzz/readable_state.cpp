@@ -94,7 +94,7 @@ void read_options(Digest& digest, const World& world)
     digest.all(solver.contact_hertz, solver.contact_damping_ratio, solver.push_out_speed, solver.restitution_threshold, solver.joint_hertz);
     digest.all(solver.joint_damping_ratio, solver.warm_starting, sleep.is_enabled, sleep.speed, sleep.time, world.is_continuous(),
                world.mixing().friction);
-    digest.all(world.mixing().restitution, world.hit_speed(), world.length_unit(), world.hooks() != nullptr);
+    digest.all(world.mixing().restitution, world.hit_speed(), world.length_unit(), world.max_pairs(), world.hooks() != nullptr);
 }
 
 void read_events(Digest& digest, const Events& events)
