@@ -118,9 +118,10 @@ struct JointConstants
 {
     F h;
     F inv_h;
-    F bias_rate;     ///< at which rigid rows undo their error [1/s]
-    F mass_scale;    ///< of rigid rows that are solved one by one
-    F impulse_scale; ///< of the same
+    F bias_rate;          ///< at which rigid rows undo their error [1/s]
+    F mass_scale;         ///< of rigid rows that are solved one by one
+    F impulse_scale;      ///< of the same
+    F length_unit = F(1); ///< of the world [m]
 };
 
 template <class F>
@@ -249,14 +250,22 @@ void solve_drive(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
     d.lambda = next;
 }
 
-/// Most speed at which an error is undone [m/s], [rad/s]: joints that are made far from closed come together, they do not snap.
+/// Most speed at which an error is undone [length units/s], [rad/s]: joints that are made far from closed come together, they do not snap.
 inline constexpr float max_bias = 4;
+
+/// What the error of a rigid row is counted in: the length unit of the world [m] where the row moves B along a line, 1 rad where it only turns it.
+template <class F>
+F unit_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
+{
+    return select(dot(row.rigid[i].l_b, row.rigid[i].l_b) > F(0), k.length_unit, F(1));
+}
 
 /// The speed at which a rigid row undoes its error.
 template <class F>
 F bias_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
 {
-    return lane_max(F(-max_bias), lane_min(k.bias_rate * row.error[i], F(max_bias)));
+    const F most = F(max_bias) * unit_of(row, i, k);
+    return lane_max(F(0) - most, lane_min(k.bias_rate * row.error[i], most));
 }
 
 /// The joint's rigid rows together, as one small linear system K change = -rhs, by elimination in their order.
@@ -324,23 +333,24 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
     keep_velocity<F>(row.alone > F(0), b, b_before);
 }
 
-/// How near a drive must come to its target to be done with [m], [rad].
+/// How near a drive must come to its target to be done [length units], [rad].
 inline constexpr float drive_tolerance = 0.005f;
 
 /// Whether the spring of a drive is still on the way to its target in lane `i`. An overdamped spring goes there at omega / (2 zeta) of
 /// what is missing; one that hangs in balance with a load does not move.
 /// @param missing what is missing to the target [m] or [rad]
 /// @param speed   at which that becomes less [m/s] or [rad/s]
+/// @param near    what may be missing [m] or [rad]
 template <class F>
-bool is_on_the_way(const SpringRow<F>& spring, int i, float missing, float speed)
+bool is_on_the_way(const SpringRow<F>& spring, int i, float missing, float speed, float near)
 {
     const float damping = lane(spring.damping, i);
-    return damping > 0 && missing > drive_tolerance && is_at_work(speed, missing * lane(spring.push, i) / damping);
+    return damping > 0 && missing > near && is_at_work(speed, missing * lane(spring.push, i) / damping);
 }
 
 /// Whether a motor, or the drive of a motor joint or a mouse joint, moves the bodies of lane `i`.
 template <class F>
-bool is_driven(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b)
+bool is_driven(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
 {
     const bool pulls = row.type == JointType::Motor || row.type == JointType::Mouse;
     for (std::size_t c = 0; c < static_cast<std::size_t>(row.control_count); ++c)
@@ -349,14 +359,16 @@ bool is_driven(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyL
         const float rate = lane(velocity(control.j, a, b), i);
         if (lane(control.max_motor, i) > 0 && is_at_work(rate, lane(control.motor_speed, i))) return true;
         const float past = lane(control.q - control.target, i);
-        if (pulls && lane(control.max_spring, i) > 0 && is_on_the_way(control.spring, i, std::abs(past), past > 0 ? -rate : rate))
+        if (pulls && lane(control.max_spring, i) > 0 &&
+            is_on_the_way(control.spring, i, std::abs(past), past > 0 ? -rate : rate, drive_tolerance))
             return true;
     }
     if (!pulls || !(lane(row.drive.max_lambda, i) > 0)) return false;
     const LaneVec<F> dv = (b.v + cross(b.w, row.r_b)) - (a.v + cross(a.w, reach_of_a(row, a)));
     const float missing = lane(lane_sqrt(dot(row.drive.error, row.drive.error)), i);
-    const float speed = -lane(dot(dv, row.drive.error), i) / std::max(missing, drive_tolerance);
-    return is_on_the_way(row.drive.spring, i, missing, speed);
+    const float near = drive_tolerance * lane(k.length_unit, i);
+    const float speed = -lane(dot(dv, row.drive.error), i) / std::max(missing, near);
+    return is_on_the_way(row.drive.spring, i, missing, speed, near);
 }
 
 /// Adds what the substep gave to the sums over the step.

@@ -13,10 +13,10 @@
 namespace carom::detail
 {
 
-/// Joints that are to close faster than this [m/s], [rad/s] are corrected apart from what they carry: 4 mm at 240 substeps a second. A push
+/// Joints that are to close faster than this [length units/s], [rad/s] are corrected apart from what they carry: 4 mm at 240 substeps a second. A push
 /// through the velocity, taken back where the body has come to, leaves what the joints at that place do not hold.
 inline constexpr float gentle_bias = 0.2f;
-/// Most speed at which a body is corrected [m/s], and most turn in a substep [rad].
+/// Most speed at which a body is corrected [length units/s], and most turn in a substep [rad].
 inline constexpr float most_correction = 2 * max_bias;
 inline constexpr float most_correction_turn = 0.1f;
 
@@ -25,8 +25,12 @@ void JointSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, co
 {
     rows_.clear();
     articulation_.joints.clear();
-    constants_ = {F(constants.h), F(constants.inv_h), F(constants.rigid.bias_rate), F(constants.rigid.mass_scale),
-                  F(constants.rigid.impulse_scale)};
+    constants_ = {F(constants.h),
+                  F(constants.inv_h),
+                  F(constants.rigid.bias_rate),
+                  F(constants.rigid.mass_scale),
+                  F(constants.rigid.impulse_scale),
+                  F(constants.length_unit)};
     if (colors.size() == 0) return;
     find_inertias(colors, bodies, joints, constants.h);
     // A row's lanes hold joints of one type and one colour; those that found no colour depend on each other and get a lane each.
@@ -212,7 +216,7 @@ float JointSolver<F>::worst_bias() const
     for (const JointRow<F>& row : rows_)
         for (std::size_t k = 0; k < static_cast<std::size_t>(row.rigid_count); ++k)
         {
-            const F bias = bias_of(row, k, constants_);
+            const F bias = bias_of(row, k, constants_) / unit_of(row, k, constants_);
             worst = lane_max(worst, lane_max(bias, F(0) - bias));
         }
     float all = 0;
@@ -234,6 +238,7 @@ void JointSolver<F>::correct(std::span<BodyMotion> motions)
         }
     articulation_.solve_consistent();
 
+    const float most_speed = most_correction * lane(constants_.length_unit, 0);
     corrections_.assign(motions.size(), {});
     shares_.assign(motions.size(), 1);
     for (const ArticulatedJoint& joint : articulation_.joints)
@@ -245,7 +250,7 @@ void JointSolver<F>::correct(std::span<BodyMotion> motions)
         for (const std::uint32_t body : {joint.body_a, joint.body_b})
         {
             if (body == 0) continue;
-            share = std::min(share, most_correction / std::max(length(corrections_[body].v), most_correction));
+            share = std::min(share, most_speed / std::max(length(corrections_[body].v), most_speed));
             share = std::min(share,
                              most_correction_turn / std::max(std::abs(corrections_[body].w) * lane(constants_.h, 0), most_correction_turn));
         }
@@ -323,7 +328,7 @@ void JointSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<
         for (int i = 0; i < lane_width<F>; ++i)
         {
             const auto at = static_cast<std::size_t>(i);
-            if (row.joint[at] == null_index || !is_driven(row, i, a, b)) continue;
+            if (row.joint[at] == null_index || !is_driven(row, i, a, b, constants_)) continue;
             for (const std::uint32_t body : {row.pushed_a[at], row.pushed_b[at]})
                 if (body != 0) watches[body].is_driven = true;
         }

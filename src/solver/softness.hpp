@@ -121,21 +121,23 @@ inline ContactConstants make_contact_constants(const SolverTuning& tuning, float
 /// What the joint rows of a step share.
 struct JointStepConstants
 {
-    float h = 0;          ///< substep [s]
-    float inv_h = 0;      ///< [1/s]
-    float warm_scale = 1; ///< as for contacts
-    Softness rigid;       ///< of rows that hold something; those that are solved together read its bias_rate alone
+    float h = 0;           ///< substep [s]
+    float inv_h = 0;       ///< [1/s]
+    float warm_scale = 1;  ///< as for contacts
+    Softness rigid;        ///< of rows that hold something; those that are solved together read its bias_rate alone
+    float length_unit = 1; ///< of the world [m]
 };
 
 /// @param h        substep [s]
 /// @param h_before substep of the last step [s]; 0 when there was none
-inline JointStepConstants make_joint_constants(const SolverTuning& tuning, float h, float h_before)
+inline JointStepConstants make_joint_constants(const SolverTuning& tuning, float h, float h_before, const Tolerances& tolerances = {})
 {
     const float hertz = std::min(tuning.joint_hertz, 0.25f / h);
     return {.h = h,
             .inv_h = 1 / h,
             .warm_scale = warm_scale_of(tuning, h, h_before),
-            .rigid = make_softness(hertz, tuning.joint_damping_ratio, h)};
+            .rigid = make_softness(hertz, tuning.joint_damping_ratio, h),
+            .length_unit = tolerances.length_unit};
 }
 
 } // namespace carom::detail

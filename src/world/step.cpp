@@ -71,7 +71,7 @@ ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt,
     if (dt == 0) return contacts; // nothing will be solved
     const float h = dt / static_cast<float>(substeps);
     world.joint_solver.build(ColorLists(world.joints, world.arena), world.bodies, world.joints,
-                             make_joint_constants(world.tuning, h, world.last_substep));
+                             make_joint_constants(world.tuning, h, world.last_substep, world.shapes.tolerances));
     solver.build(contacts, world.bodies, world.contacts,
                  make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances));
     return contacts;

@@ -167,6 +167,30 @@ void add_tiles(ScaledWorld& w)
     w.add({.position = {4, 5.25f}, .linear_velocity = {6, 0}}, rounded_box(0.5f, 0.5f, 0.125f), smooth);
 }
 
+/// Joints of most types, some of which begin far from closed.
+void add_joints(ScaledWorld& w)
+{
+    add_floor(w);
+    World& world = w.world();
+    const float scale = w.scale();
+    const BodyId post = w.add_static({0, 6}, box(0.5f, 0.5f));
+    BodyId last = post;
+    for (int i = 0; i < 6; ++i)
+    {
+        const BodyId link = w.add({.position = {1 + static_cast<float>(i), 6}}, box(1, 0.25f));
+        world.create_joint(world.joint_at(last, link, scale * Vec2{0.5f + static_cast<float>(i), 6}), RevoluteJoint{});
+        last = link;
+    }
+    const BodyId open = w.add({.position = {-3, 6}}, box(1, 0.25f));
+    world.create_joint({.body_a = post, .body_b = open, .frame_b = {scale * Vec2{1, 0}, rotation(0.5f)}}, WeldJoint{});
+    const BodyId ball = w.add({.position = {-6, 4}}, circle(0.5f));
+    world.create_joint(world.joint_between(post, ball, scale * Vec2{-3, 6}, scale * Vec2{-6, 4}), DistanceJoint{.length = 3 * scale});
+    const BodyId slider = w.add({.position = {8, 2}}, box(1, 0.5f));
+    world.create_joint(
+        world.joint_at({}, slider, scale * Vec2{8, 2}, 0.25f),
+        PrismaticJoint{.limit = Range{-scale, scale}, .motor = Motor{.speed = scale, .max_force = 100 * scale * scale * scale}});
+}
+
 /// Bullets against thin walls and small bodies, and one through a sensor.
 void add_shots(ScaledWorld& w)
 {
@@ -209,6 +233,7 @@ TEST(LengthUnit, a_tower_of_five_goes_the_same_way_to_the_bit) { expect_same_to_
 TEST(LengthUnit, a_pyramid_goes_the_same_way_to_the_bit) { expect_same_to_the_bit(add_pyramid, 300); }
 TEST(LengthUnit, rain_into_a_bowl_goes_the_same_way_to_the_bit) { expect_same_to_the_bit(add_rain, 600); }
 TEST(LengthUnit, sliding_over_seams_goes_the_same_way_to_the_bit) { expect_same_to_the_bit(add_tiles, 200); }
+TEST(LengthUnit, joints_go_the_same_way_to_the_bit) { expect_same_to_the_bit(add_joints, 300); }
 TEST(LengthUnit, shots_go_the_same_way_to_the_bit) { expect_same_to_the_bit(add_shots, 60, {.gravity = {}}); }
 
 TEST(LengthUnit, a_pyramid_stands_at_every_size)
