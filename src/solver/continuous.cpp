@@ -286,12 +286,12 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     Pair& pair = pairs_[index];
     if (after >= 1 || (!can_be_stopped(pair.mover_a) && !can_be_stopped(pair.mover_b))) return;
 
-    const Geometry& geometry = near.shapes.geometry[pair.shape_a];
-    const Geometry& other = near.shapes.geometry[pair.shape_b];
-    const Sweep way_a = rest_of_way(pair.mover_a, pair.shape_a, after, near.bodies, near.shapes);
-    const Sweep way_b = rest_of_way(pair.mover_b, pair.shape_b, after, near.bodies, near.shapes);
-    const float thickness = inner_radius(geometry);
-    const float other_thickness = inner_radius(other);
+    const Geometry* geometry = &near.shapes.geometry[pair.shape_a];
+    const Geometry* other = &near.shapes.geometry[pair.shape_b];
+    Sweep way_a = rest_of_way(pair.mover_a, pair.shape_a, after, near.bodies, near.shapes);
+    Sweep way_b = rest_of_way(pair.mover_b, pair.shape_b, after, near.bodies, near.shapes);
+    float thickness = inner_radius(*geometry);
+    float other_thickness = inner_radius(*other);
     const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
     const auto is_dynamic = [&](std::uint32_t shape) { return near.bodies.is_dynamic(near.shapes.records[shape].body); };
     const auto is_held = [&](std::uint32_t shape)
@@ -301,21 +301,29 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const float least_way = has_bullet ? 0 : fast_way(thinner, tolerances);
     const bool are_dynamic = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
     const bool are_crowded = !has_bullet && !are_held && length(center_way(way_a) - center_way(way_b)) < crowded_way * thinner;
+    // In a crowd the thicker one's core counts: what stirs it is left to its contacts, and turns as fast as its spin says.
+    const bool are_both_fast = pair.mover_b != null_index && movers_[pair.mover_b].is_fast;
+    if (are_dynamic && are_crowded && are_both_fast && other_thickness > thickness)
+    {
+        std::swap(geometry, other);
+        std::swap(way_a, way_b);
+        std::swap(thickness, other_thickness);
+    }
     const float first_share = !are_dynamic ? sliding_share : are_crowded ? crowding_share : grazing_share;
-    if (!may_pass_through(path_of(geometry, way_a), path_of(other, way_b), least_way, first_share * thickness, tolerances.linear_slop))
+    if (!may_pass_through(path_of(*geometry, way_a), path_of(*other, way_b), least_way, first_share * thickness, tolerances.linear_slop))
         return;
 
-    const ConvexPoints points_b = convex_points(other);
+    const ConvexPoints points_b = convex_points(*other);
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})
     {
-        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
+        inside = time_of_impact(core_of(*geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
         if (!inside || *inside > 0) break;
     }
     if (!inside || *inside <= 0 || may_pass(pair, near)) return;
     const std::optional<float> touch =
-        time_of_impact(convex_points(geometry), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
+        time_of_impact(convex_points(*geometry), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
     const float time = after + (1 - after) * (touch && *touch > 0 ? *touch : *inside);
     impacts_.push_back({time, index, version_of(pair)});
     std::push_heap(impacts_.begin(), impacts_.end(), std::greater<>());

@@ -17,9 +17,9 @@ struct SceneHash
 
 inline constexpr std::array scenes = {
     SceneHash{"planets", 0xfdeaa410168bc953},       SceneHash{"triggers", 0xdce2d667fe27e555},
-    SceneHash{"collisions", 0x8c92565866a545ee},    SceneHash{"gravity", 0xd7e21a7992252765},
+    SceneHash{"collisions", 0xd9eb16e004c2bccf},    SceneHash{"gravity", 0xbec2060f26f6f5a2},
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
-    SceneHash{"chain-terrain", 0x75b9169f913d9d3e}, SceneHash{"tiles", 0x85d3ac19385e9673},
+    SceneHash{"chain-terrain", 0x33b80fed8eccfe73}, SceneHash{"tiles", 0x85d3ac19385e9673},
     SceneHash{"one-way", 0x4b5fe22b1b856faf},       SceneHash{"bullets", 0x6ce5c7105fe166d},
     SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0xda3bd8eb56801d87},
     SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0x4a6d81a5b784fc06},
@@ -28,6 +28,6 @@ inline constexpr std::array scenes = {
     SceneHash{"car", 0xd0461ef0d9da780b},           SceneHash{"mass-ratio", 0x1c1bf32fd467310c},
 };
 
-inline constexpr std::uint64_t mixed_world = 0xb9b7e001e7f5903f;
+inline constexpr std::uint64_t mixed_world = 0xb5b7c27234e02be;
 
 } // namespace carom::golden
