@@ -7,7 +7,9 @@
 #include <chrono>
 #include <fstream>
 #include <gtest/gtest.h>
+
 #include <thread>
+#include <unistd.h>
 
 namespace carom::gallery
 {
@@ -32,7 +34,7 @@ class SceneFiles : public ::testing::Test
 protected:
     void SetUp() override
     {
-        folder_ = fs::path(::testing::TempDir()) / "carom_scene_source";
+        folder_ = fs::path(::testing::TempDir()) / ("carom_scene_source_" + std::to_string(::getpid()));
         fs::create_directories(folder_);
         file_ = folder_ / "balls.json";
         write(scene_text(2));
