@@ -54,7 +54,7 @@ Polygon polygon_from(const PolygonFields& fields)
     Polygon polygon = derived(fields.vertices, fields.radius);
     std::copy(fields.normals.begin(), fields.normals.end(), polygon.normals.begin());
     if (fields.centroid) polygon.centroid = *fields.centroid;
-    aabb_of(polygon, {}); // checks all of it
+    static_cast<void>(transformed(polygon, {})); // checks all of it
     return polygon;
 }
 

@@ -291,7 +291,7 @@ private:
 
     void check_geometry(const Geometry& geometry, const Spot& spot) const
     {
-        checked(spot, [&] { aabb_of(geometry, {}); });
+        checked(spot, [&] { transformed(geometry, {}); });
     }
 
     template <class T>

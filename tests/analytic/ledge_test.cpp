@@ -1,4 +1,6 @@
 // What overhangs the corner of a ledge rests, slides on and slides off as it would on one solid box, whatever the ledge is made of.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -15,7 +17,6 @@ namespace carom::ledge_test
 namespace
 {
 
-constexpr float dt = 1 / 60.0f;
 constexpr float edge = 4; ///< x of the corner [m]
 constexpr float top = 2;  ///< y of the corner [m]
 

@@ -3,6 +3,8 @@
 //
 // For L a power of two a product with L is exact in float, so the outcome must be the same to the bit, but for the factor. One tolerance that does not
 // follow the length unit breaks that.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -18,8 +20,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// A world of length unit L, told in lengths of L = 1.
 class ScaledWorld

@@ -1,5 +1,7 @@
 // What happens doesn't depend on which of two bodies was created first. Every function of a pair sees A and B swapped here: each scene is built
 // once in every order of its bodies, and all runs must agree within rounding.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -17,8 +19,6 @@ namespace carom::order_of_creation_test
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 /// Creates one body.
 using Part = std::function<BodyId(World&)>;

@@ -1,4 +1,6 @@
 // A crowd in one place: n bodies are n (n - 1) / 2 pairs. The world says so before they fill the memory, and goes on when there is room again.
+#include "math/values_test.hpp"
+
 #include <carom/carom.hpp>
 
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace carom
 
 namespace
 {
-
-constexpr float dt = 1 / 60.0f;
 
 std::vector<BodyId> add_crowd(World& world, int count, const Geometry& geometry, const ShapeDef& shape = {})
 {
