@@ -162,11 +162,11 @@ void apply_drive(const JointRow<F>& row, const LaneVec<F>& r_a, const LaneVec<F>
     b.w = b.w + row.inv_inertia_b * cross(row.r_b, impulse);
 }
 
-/// From A's centre of mass to B's point, which is its place plus the error. A is pushed there as B is, so that the pair keeps its angular momentum.
+/// From A's centre of mass to where B's point is: what A is pulled at.
 template <class F>
 LaneVec<F> reach_of_a(const JointRow<F>& row, const BodyLanes<F>& a)
 {
-    return rotate(a.dq, row.arm_a + row.place_a) + row.drive.error;
+    return rotate(a.dq, row.arm_a) + row.drive.error;
 }
 
 /// Applies the impulses of the substep before.
