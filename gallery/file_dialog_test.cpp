@@ -1,5 +1,7 @@
 #include "gallery/file_dialog.hpp"
 
+#include "files/testing.hpp"
+
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -17,16 +19,14 @@ class FileDialogs : public ::testing::Test
 protected:
     void SetUp() override
     {
-        folder_ = fs::path(::testing::TempDir()) / "carom_file_dialog";
-        fs::remove_all(folder_);
         fs::create_directories(folder_ / "levels");
         for (const char* name : {"b.json", "a.json", "notes.txt", ".hidden.json"}) std::ofstream(folder_ / name) << "{}";
         dialog_.open();
         dialog_.choose(folder_.string());
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
-    fs::path folder_;
+    const files::testing::TemporaryFolder temporary_{"file_dialog"};
+    const fs::path folder_ = temporary_.path();
     FileDialog dialog_;
 };
 

@@ -1,5 +1,6 @@
 #include "gallery/scene_source.hpp"
 
+#include "files/testing.hpp"
 #include "gallery/session.hpp"
 #include "scenes/framing.hpp"
 
@@ -7,9 +8,7 @@
 #include <chrono>
 #include <fstream>
 #include <gtest/gtest.h>
-
 #include <thread>
-#include <unistd.h>
 
 namespace carom::gallery
 {
@@ -32,14 +31,7 @@ std::string scene_text(int balls)
 class SceneFiles : public ::testing::Test
 {
 protected:
-    void SetUp() override
-    {
-        folder_ = fs::path(::testing::TempDir()) / ("carom_scene_source_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-        file_ = folder_ / "balls.json";
-        write(scene_text(2));
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { write(scene_text(2)); }
     void write(const std::string& text) const { std::ofstream(file_) << text; }
 
     /// Frames until a condition holds, or for five seconds.
@@ -54,8 +46,8 @@ protected:
         return condition();
     }
 
-    fs::path folder_;
-    fs::path file_;
+    const files::testing::TemporaryFolder folder_{"scene_source"};
+    const fs::path file_ = folder_ / "balls.json";
 };
 
 } // namespace
@@ -118,7 +110,7 @@ TEST_F(SceneFiles, say_why_they_do_not_open_and_the_scene_goes_on)
     session.open_file(folder_ / "missing.json");
     EXPECT_NE(session.message().find("missing.json"), std::string::npos);
     EXPECT_NE(session.message().find("No such file"), std::string::npos) << session.message();
-    session.open_file(folder_);
+    session.open_file(folder_.path());
     EXPECT_NE(session.message().find("folder"), std::string::npos) << session.message();
     write("{\"carom_scene\": 1, \"bodies\": [\n  {\"position\": [1,, 2]}\n]}");
     session.open_file(file_);
