@@ -428,7 +428,6 @@ TEST(Character, RefusesBadValues)
         }
         return "nothing";
     };
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(refused_field([] { Character({.position = {nan, 0}}); }), "position.x");
     EXPECT_EQ(refused_field([] { Character({.up = {0, 2}}); }), "up");
     EXPECT_EQ(refused_field([] { Character({.max_slope = 2}); }), "max_slope");
