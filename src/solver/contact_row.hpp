@@ -278,8 +278,9 @@ F solve_face(const ContactRow<F, 2>& row, const BouncePlan<F, 2>& plan, const Bo
     const F inv_det = F(1) / lane_max(det, F(1e-30f));
     impulse[0] = (k_qq * rhs_p - k_pq * rhs_q) * inv_det;
     impulse[1] = (k_pp * rhs_q - k_pq * rhs_p) * inv_det;
-    const auto push_both = (plan.count > F(1.5f)) & (det > F(1e-4f) * k_pp * k_qq) & (impulse[0] > F(0)) & (impulse[1] > F(0));
-    return select(push_both, F(1), F(0));
+    const auto one_where = [](const auto& mask) { return select(mask, F(1), F(0)); };
+    const F is_solvable = one_where(plan.count > F(1.5f)) * one_where(det > F(1e-4f) * k_pp * k_qq);
+    return is_solvable * one_where(impulse[0] > F(0)) * one_where(impulse[1] > F(0));
 }
 
 /// Gives the points their speeds.
