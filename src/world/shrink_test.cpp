@@ -38,7 +38,7 @@ struct Level
         for (int i = 0; i < 300; ++i)
             goes.push_back(
                 world.create_body({.position = {static_cast<float>(i % 30) - 15, 8 + static_cast<float>(i / 30)}}, circle(0.4f)));
-        for (int i = 0; i < 50; ++i)
+        for (std::size_t i = 0; i < 50; ++i)
             world.create_joint(
                 world.joint_between(goes[i], goes[i + 100], world.body(goes[i]).position(), world.body(goes[i + 100]).position()),
                 DistanceJoint{.length = 4});
