@@ -1,4 +1,4 @@
-// A car with two sprung wheels drives over bumps, a seesaw and a hanging bridge, through a stack of boxes.
+// A car with two sprung wheels drives over bumps, a seesaw, a hanging bridge and a jump, through a stack of boxes.
 #include "scenes/builtin_scenes.hpp"
 #include "scenes/framing.hpp"
 #include "scenes/painted_scene.hpp"
@@ -25,8 +25,8 @@ constexpr float gap_from = 68;       // [m]
 constexpr float gap_to = 82;         // [m]
 constexpr int planks = 14;           // of the bridge over the gap
 constexpr float sag = 0.5f;          // of the bridge [m]
-constexpr float boxes_at = 92;       // [m]
-constexpr float ramp_at = 113;       // [m]
+constexpr float boxes_at = 122;      // [m]
+constexpr float ramp_at = 90;        // [m]
 constexpr float ramp_length = 10;    // [m]
 constexpr float ramp_height = 2;     // [m]
 constexpr float goal = 142;          // behind it the car brakes [m]
@@ -293,7 +293,7 @@ SceneInfo car_scene()
         .name = "car",
         .title = "Car",
         .description =
-            "A car on two sprung, driven wheels goes over bumps, hills, a seesaw and a hanging bridge, through boxes and over a jump, then "
+            "A car on two sprung, driven wheels goes over bumps, hills, a seesaw and a hanging bridge, over a jump and through boxes, then "
             "starts again.",
         .group = "Joints",
         .controls = with_common_controls({

@@ -17,6 +17,9 @@ namespace detail
 struct WorldState;
 }
 
+/// As much as it takes: the largest force [N] or torque [N m] that a joint accepts, and the default of those that drive bodies.
+inline constexpr float max_joint_force = 1e20f;
+
 /// Ends of what may be, in the unit of what they limit: [rad] or [m]. lower <= upper.
 struct Range
 {
@@ -36,11 +39,11 @@ struct Spring
     friend bool operator==(const Spring&, const Spring&) = default;
 };
 
-/// Drives towards a speed with all the force it has, and no more.
+/// Drives towards a speed with the force that it takes, up to a largest one. At speed 0 it is a brake.
 struct Motor
 {
-    float speed = 0;     ///< of B past A [rad/s] or [m/s]
-    float max_force = 0; ///< [N m] or [N], >= 0
+    float speed = 0;                   ///< of B past A [rad/s] or [m/s]
+    float max_force = max_joint_force; ///< [N m] or [N], 0 (no motor at all) to max_joint_force
 
     friend bool operator==(const Motor&, const Motor&) = default;
 };
@@ -85,22 +88,27 @@ struct WheelJoint
     std::optional<Motor> motor = {};             ///< turns the wheel [rad/s], [N m]
 };
 
-/// Pulls frame B to a pose seen from frame A, with a force and a torque of limited size: for top-down friction, for actors that are led.
+/// Pulls frame B to a pose seen from frame A, with a force and a torque of limited size: for top-down friction, for actors that are led. Both bodies
+/// are pushed at the origin of frame B, so that a pair of free bodies keeps its momentum and its angular momentum.
+///
+/// The offset counts from the origin of frame A to the origin of frame B, along the axes of frame A. With World::joint_at the two origins meet at
+/// the given point, so an offset of zero then means "as the bodies stand now", and an offset of {1, 0} a metre further along `axis`. With frames left
+/// out, the offset is from the origin of body A to the origin of body B. World::motor_joint_as_placed gives the pose that two bodies have now.
 struct MotorJoint
 {
-    Vec2 offset = {};     ///< where the origin of frame B shall be in frame A [m]
-    float angle = 0;      ///< of frame B in frame A [rad], in [-pi, pi]
-    Spring spring = {};   ///< how it gets there; `target` is not read
-    float max_force = 0;  ///< [N], >= 0
-    float max_torque = 0; ///< [N m], >= 0
+    Vec2 offset = {};                   ///< where the origin of frame B shall be in frame A [m]
+    float angle = 0;                    ///< of frame B in frame A [rad], in [-pi, pi]
+    Spring spring = {};                 ///< how it gets there; `target` is not read
+    float max_force = max_joint_force;  ///< [N], 0 to max_joint_force
+    float max_torque = max_joint_force; ///< [N m], 0 to max_joint_force
 };
 
 /// Drags a point of body B, the origin of frame B, to a point of the world. Body A is the world: leave it null.
 struct MouseJoint
 {
-    Vec2 target = {};    ///< in the world [m]
-    Spring spring = {};  ///< how it gets there; `target` of the spring is not read
-    float max_force = 0; ///< [N], >= 0
+    Vec2 target = {};                  ///< in the world [m]
+    Spring spring = {};                ///< how it gets there; `target` of the spring is not read
+    float max_force = max_joint_force; ///< [N], 0 to max_joint_force
 };
 
 /// What a gear reads of a body.

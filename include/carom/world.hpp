@@ -143,6 +143,9 @@ public:
     JointDef joint_at(BodyId a, BodyId b, Vec2 point, float axis = 0) const;
     /// A definition whose frames lie at two points of the world, with their x axes from the first to the second.
     JointDef joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) const;
+    /// The motor joint that holds the frames of `def` as they stand now: offset [m] of frame B in frame A, and its angle [rad].
+    /// @throws UsageError when a body is stale, both are the same, or a value is out of range
+    MotorJoint motor_joint_as_placed(const JointDef& def) const;
     Joint joint(JointId id); ///< throws UsageError on a stale id
     JointView joint(JointId id) const;
     std::optional<Joint> find_joint(JointId id); ///< empty on a stale or null id

@@ -57,7 +57,7 @@ TEST(SceneFileReader, reads_what_is_given_and_leaves_the_rest_at_its_defaults)
     EXPECT_EQ(file.joints[0].def.frame_a, (Transform{{1, 2}, {0, 1}}));
     const auto& wheel = std::get<WheelJoint>(file.joints[0].spec);
     EXPECT_FALSE(wheel.suspension);
-    EXPECT_EQ(wheel.motor, (Motor{3, 0}));
+    EXPECT_EQ(wheel.motor, (Motor{.speed = 3}));
     ASSERT_EQ(file.events.size(), 2u);
     EXPECT_EQ(file.events[0].set_joints[0].motor_speed, -1);
     EXPECT_EQ(file.events[1].destroy_bodies, std::vector<int>{1});

@@ -66,7 +66,7 @@ void Articulation::factor()
         {
             for (std::size_t c = 0; c < static_cast<std::size_t>(joint.count); ++c)
                 diagonal_[k][n * i + c] = couple(joint, i, false, joint, c, false) + couple(joint, i, true, joint, c, true);
-            joint.softness[i] = articulation_softness * diagonal_[k][n * i + i];
+            joint.softness[i] = softness_[joint.component] * diagonal_[k][n * i + i];
             diagonal_[k][n * i + i] += joint.softness[i];
         }
     }

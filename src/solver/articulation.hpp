@@ -8,8 +8,9 @@
 // each merged one the list of joints that are left on it: its `front` is what the next elimination there will couple. Joints are taken by rising
 // size of their fronts. One whose front is too large (a wide net) is left to be solved by itself, and counts no more.
 //
-// Rows may say the same twice, as in a net of pins, or contradict each other. Each is a very stiff spring rather than rigid:
+// In a loop of joints rows may say the same twice, as in a net of pins, or contradict each other. Each is a very stiff spring rather than rigid:
 //   (A + S) change = -rhs - S lambda,   S = 1e-5 of the diagonal of A
+// In a chain or a tree they can't, and S is only what rounding asks for, so that a rope carries any load.
 #pragma once
 
 #include "solver/joint_row.hpp"
@@ -23,10 +24,17 @@
 namespace carom::detail
 {
 
-/// The softness of every row, as a share of its diagonal of A. A needs it where rows say the same twice, as in a net of pins, or contradict
-/// each other. What it costs: at a tension T a row stretches by T h^2 softness / (h bias_rate), a micrometre under 1 t on a link of 1 kg.
-/// Below 1e-6 the rounding of float velocities shakes nets apart; from 1e-4 on, a gear slips.
-inline constexpr double articulation_softness = 1e-5;
+/// The softness of every row of a structure with loops, as a share of its diagonal of A. A needs it where rows say the same twice, as in a net of
+/// pins, or contradict each other. What it costs: under a tension T a row creeps by T h softness times the inverse mass of its bodies, a micrometre
+/// under 1 t on a link of 1 kg. Below 1e-6 the rounding of float velocities shakes nets apart; from 1e-4 on, a gear slips.
+inline constexpr double loop_softness = 1e-5;
+/// That of a structure without loops whose bodies may move in every way: a rope that hangs under 100,000 times a link's mass stretches by less
+/// than 0.2 mm a link (RopeLoad). With loop_softness it would creep apart from 10,000 times on.
+inline constexpr double tree_softness = 1e-9;
+
+/// From this mass ratio on, arcs are left out of a component's rows (JointRow::arc). The links of such a rope tremble faster than substeps can
+/// follow, and an arc that is taken from a trembling velocity, times the load's mass, shakes the rope apart. RopeLoad breaks.
+inline constexpr float heavy_load = 150;
 
 /// What the system needs to know of a joint.
 struct ArticulatedJoint
@@ -55,6 +63,8 @@ public:
 
     /// Decides who is in and in which order, unless nothing has changed since the last time.
     void plan();
+    /// Whether the heaviest body of a component weighs heavy_load times as much as its lightest.
+    bool bears_a_load(std::uint32_t component) const;
     /// Builds and eliminates A from the Jacobians.
     void factor();
     /// Solves for all `rhs` in place.
@@ -103,6 +113,8 @@ private:
     void order_all();
     void finish_columns();
     void find_couplings();
+    void find_loops();
+    void weigh();
     std::uint32_t block_of(std::uint32_t row_joint, std::uint32_t column_joint) const;
 
     std::pmr::vector<Signature> signature_;
@@ -127,6 +139,11 @@ private:
     std::pmr::vector<bool> is_left_;            ///< by joint: not yet eliminated
     std::pmr::vector<bool> was_in_;             ///< by joint: what the plan decided
     std::pmr::vector<std::uint32_t> component_; ///< by joint
+    std::pmr::vector<bool> has_loop_;           ///< by component
+    std::pmr::vector<bool> is_held_;            ///< by component, scratch of find_loops(): whether a joint holds it to what does not move
+    std::pmr::vector<double> softness_;         ///< by component, as a share of the diagonal
+    std::pmr::vector<float> lightest_;          ///< by component: the inverse mass of its lightest body [1/kg]
+    std::pmr::vector<float> heaviest_;          ///< of its heaviest
     std::uint32_t stamp_ = 0;
 };
 

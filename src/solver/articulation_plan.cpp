@@ -2,6 +2,7 @@
 #include "solver/articulation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace carom::detail
 {
@@ -35,7 +36,12 @@ Articulation::Articulation(std::pmr::memory_resource& memory)
       heap_(&memory),
       is_left_(&memory),
       was_in_(&memory),
-      component_(&memory)
+      component_(&memory),
+      has_loop_(&memory),
+      is_held_(&memory),
+      softness_(&memory),
+      lightest_(&memory),
+      heaviest_(&memory)
 {
 }
 
@@ -64,11 +70,61 @@ void Articulation::plan()
             was_in_.push_back(j.is_in);
             component_.push_back(root_of(j.body_a != 0 ? j.body_a : j.body_b));
         }
+        find_loops();
     }
     for (std::size_t i = 0; i < joints.size(); ++i)
     {
         joints[i].is_in = was_in_[i];
         joints[i].component = component_[i];
+    }
+    weigh();
+}
+
+/// Softness and mass ratio of each component, from the masses of this step.
+void Articulation::weigh()
+{
+    const std::size_t count = has_loop_.size();
+    softness_.resize(count);
+    for (std::size_t c = 0; c < count; ++c) softness_[c] = has_loop_[c] ? loop_softness : tree_softness;
+    lightest_.assign(count, 0); // inverse masses
+    heaviest_.assign(count, std::numeric_limits<float>::infinity());
+    const auto add = [this](std::uint32_t component, std::uint32_t body, Vec2 inv_mass, float inv_inertia)
+    {
+        if (body == 0) return;
+        // A body that can't move in every way takes rows away: those that are left may say the same twice without a loop.
+        if (!(inv_mass.x > 0 && inv_mass.y > 0 && inv_inertia > 0)) softness_[component] = loop_softness;
+        const float most = std::max(inv_mass.x, inv_mass.y);
+        if (!(most > 0)) return;
+        lightest_[component] = std::max(lightest_[component], most);
+        heaviest_[component] = std::min(heaviest_[component], most);
+    };
+    for (const ArticulatedJoint& joint : joints)
+    {
+        add(joint.component, joint.body_a, joint.inv_mass_a, joint.inv_inertia_a);
+        add(joint.component, joint.body_b, joint.inv_mass_b, joint.inv_inertia_b);
+    }
+}
+
+bool Articulation::bears_a_load(std::uint32_t component) const { return lightest_[component] > heavy_load * heaviest_[component]; }
+
+/// A component is a tree when it has one joint less than bodies, beside at most one that holds it to what does not move.
+void Articulation::find_loops()
+{
+    std::pmr::vector<std::uint32_t>& spare = count_; // by component: bodies that no joint has been counted for yet
+    std::fill(spare.begin(), spare.end(), 0);
+    for (std::uint32_t body = 1; body < parent_.size(); ++body) ++spare[root_of(body)];
+    has_loop_.assign(parent_.size(), false);
+    is_held_.assign(parent_.size(), false);
+    for (std::size_t i = 0; i < joints.size(); ++i)
+    {
+        if (!joints[i].is_in) continue;
+        const std::uint32_t component = component_[i];
+        const bool is_hold = joints[i].body_a == 0 || joints[i].body_b == 0;
+        if (is_hold ? is_held_[component] : spare[component] == 1) has_loop_[component] = true;
+        if (is_hold)
+            is_held_[component] = true;
+        else if (spare[component] > 1)
+            --spare[component];
     }
 }
 

@@ -260,9 +260,9 @@ void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
     }
 }
 
-/// Curvatures at the velocities that the bodies have now.
+/// Curvatures at the velocities that the bodies have now, of every type.
 template <class F>
-void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
+void find_curvatures(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
 {
     const JointPlace<F> p = place_of(row, a, b);
     const JointRates<F> r = rates_of(p, a, b, k);
@@ -295,6 +295,15 @@ void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const 
     case JointType::Mouse:
     case JointType::Gear: return;
     }
+}
+
+/// Curvatures of the joints whose arcs count.
+template <class F>
+void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
+{
+    find_curvatures(row, a, b, k);
+    for (F& curvature : row.curvature) curvature = curvature * row.arc;
+    for (ControlRow<F>& control : row.controls) control.curvature = control.curvature * row.arc;
 }
 
 } // namespace carom::detail

@@ -37,9 +37,11 @@ template <class F>
 struct ControlRow
 {
     Jacobian<F> j;
-    F q;         ///< where it is
-    F curvature; ///< see above
-    F mass;      ///< 1 / (J M^-1 J^T)
+    F q;                                    ///< where it is
+    F curvature;                            ///< see above
+    F mass;                                 ///< 1 / (J M^-1 J^T): of the spring, whose hertz count without the joint's rigid rows
+    F held_mass;                            ///< of the motor and the range: what an impulse moves while the rigid rows hold
+    std::array<F, max_rigid_rows> reaction; ///< of the rigid rows, to an impulse of 1
     F lower;
     F upper;
     F lambda_lower;
@@ -71,6 +73,7 @@ struct JointRow
     int rigid_count = 0;
     int control_count = 0;
     bool has_drive = false;
+    bool has_ends = false;  ///< whether coordinates have motors or ranges
     bool any_alone = false; ///< whether any lane's rigid rows are solved by themselves, not together with other joints' (articulation.hpp)
 
     BodyIndices<F> body_a;
@@ -82,6 +85,7 @@ struct JointRow
     F inv_inertia_a;
     F inv_inertia_b;
     F alone; ///< 1 in such a lane, else 0
+    F arc;   ///< 1 where the curvature counts; 0 in a rope that bears a load (Articulation::bears_a_load)
 
     // At the start of the step.
     LaneVec<F> arm_a; ///< from A's centre of mass to the origin of frame A [m]
@@ -153,6 +157,62 @@ F inverse_or_zero(F k)
     return select(k > F(0), F(1) / lane_max(k, F(1e-30f)), F(0));
 }
 
+/// The impulses of the rigid rows that change their velocities by `x`: K impulses = x, by elimination in their order.
+template <class F>
+std::array<F, max_rigid_rows> impulses_for(const JointRow<F>& row, std::array<F, max_rigid_rows> x)
+{
+    const auto count = static_cast<std::size_t>(row.rigid_count);
+    std::array<std::array<F, max_rigid_rows>, max_rigid_rows> m;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) m[i][j] = coupling(row, row.rigid[i], row.rigid[j]);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const F inv = inverse_or_zero(m[i][i]);
+        for (std::size_t j = i + 1; j < count; ++j)
+        {
+            const F f = m[j][i] * inv;
+            for (std::size_t l = i; l < count; ++l) m[j][l] = m[j][l] - f * m[i][l];
+            x[j] = x[j] - f * x[i];
+        }
+    }
+    for (std::size_t i = count; i-- > 0;)
+    {
+        for (std::size_t l = i + 1; l < count; ++l) x[i] = x[i] - m[i][l] * x[l];
+        x[i] = x[i] * inverse_or_zero(m[i][i]);
+    }
+    return x;
+}
+
+/// A motor or an end moves the bodies as far as the rigid rows let it: a bar that is pinned at its end is four times as hard to turn. Where the
+/// rows leave it less than this share of its freedom, it counts as this share: joints that contradict each other would throw the bodies about.
+inline constexpr float least_freedom = 0.01f;
+
+/// Mass and reactions of a coordinate while the rigid rows hold.
+template <class F>
+void find_held_mass(const JointRow<F>& row, ControlRow<F>& c)
+{
+    std::array<F, max_rigid_rows> couplings = {};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) couplings[i] = coupling(row, row.rigid[i], c.j);
+    c.reaction = impulses_for(row, couplings);
+    const F free = coupling(row, c.j, c.j);
+    F held = free;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) held = held - couplings[i] * c.reaction[i];
+    c.held_mass = inverse_or_zero(lane_max(held, F(least_freedom) * free));
+}
+
+/// Applies an impulse of a motor or an end, and what the rigid rows answer.
+template <class F>
+void apply_held(JointRow<F>& row, const ControlRow<F>& c, F lambda, BodyLanes<F>& a, BodyLanes<F>& b)
+{
+    apply(row, c.j, lambda, a, b);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i)
+    {
+        const F answer = F(0) - c.reaction[i] * lambda;
+        row.lambda[i] = row.lambda[i] + answer;
+        apply(row, row.rigid[i], answer, a, b);
+    }
+}
+
 template <class F>
 void apply_drive(const JointRow<F>& row, const LaneVec<F>& r_a, const LaneVec<F>& impulse, BodyLanes<F>& a, BodyLanes<F>& b)
 {
@@ -162,11 +222,11 @@ void apply_drive(const JointRow<F>& row, const LaneVec<F>& r_a, const LaneVec<F>
     b.w = b.w + row.inv_inertia_b * cross(row.r_b, impulse);
 }
 
-/// From A's centre of mass to where B's point is: what A is pulled at.
+/// From A's centre of mass to B's point, which is its place plus the error. A is pushed there as B is, so that the pair keeps its angular momentum.
 template <class F>
 LaneVec<F> reach_of_a(const JointRow<F>& row, const BodyLanes<F>& a)
 {
-    return rotate(a.dq, row.arm_a) + row.drive.error;
+    return rotate(a.dq, row.arm_a + row.place_a) + row.drive.error;
 }
 
 /// Applies the impulses of the substep before.
@@ -196,38 +256,62 @@ void solve_spring(const JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, Bod
 
 /// |lambda| <= max, against the velocity that is missing.
 template <class F>
-void solve_motor(const JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, BodyLanes<F>& b)
+void solve_motor(JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    const F wanted = c.lambda_motor - c.mass * (velocity(c.j, a, b) - c.motor_speed);
+    const F wanted = c.lambda_motor - c.held_mass * (velocity(c.j, a, b) - c.motor_speed);
     const F next = lane_max(-c.max_motor, lane_min(wanted, c.max_motor));
     const F change = next - c.lambda_motor;
     c.lambda_motor = next;
-    apply(row, c.j, change, a, b);
+    apply_held(row, c, change, a, b);
+}
+
+/// Most speed at which an error is undone [length units/s], [rad/s]: joints that are made far from closed come together, they do not snap.
+inline constexpr float max_bias = 4;
+
+/// Most speed at which a row undoes its error: max_bias length units of the world a second where it moves B along a line, max_bias rad/s where it
+/// only turns it.
+template <class F>
+F most_bias(const Jacobian<F>& j, const JointConstants<F>& k)
+{
+    return F(max_bias) * select(dot(j.l_b, j.l_b) > F(0), k.length_unit, F(1));
 }
 
 /// What a row that may only push has to undo: C / h while it is apart, so that it stops at its end and not before; beyond, a share of the
-/// error, in the biased pass.
+/// error at a bounded speed, in the biased pass.
 template <bool WithBias, class F>
-F limit_bias(F c, const JointConstants<F>& k)
+F limit_bias(F c, F most, const JointConstants<F>& k)
 {
-    const F beyond = WithBias ? k.bias_rate * c : F(0);
+    const F beyond = WithBias ? lane_max(k.bias_rate * c, F(0) - most) : F(0);
     return select(c > F(0), c * k.inv_h, beyond);
 }
 
-/// lower <= q <= upper, each end with lambda >= 0, complementary.
+/// How much of its impulse an end lets go in each biased pass while it is exceeded. Without, the ends of a body that lies across others (a ragdoll
+/// on its stretched legs) push each other to and fro, and it never falls asleep.
+inline constexpr float end_leak = 0.01f;
+
+/// The impulse of an end: lambda >= 0, complementary to c >= 0.
+/// @param c    how far the coordinate is from the end [m] or [rad]
+/// @param rate at which that becomes more [m/s] or [rad/s]
 template <bool WithBias, class F>
-void solve_range(const JointRow<F>& row, ControlRow<F>& c, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+F end_impulse(F lambda, F mass, F c, F rate, F most, const JointConstants<F>& k)
+{
+    const F leak = WithBias ? select(c > F(0), F(0), F(end_leak)) : F(0);
+    return lane_max(lambda - mass * (rate + limit_bias<WithBias>(c, most, k)) - leak * lambda, F(0));
+}
+
+/// lower <= q <= upper.
+template <bool WithBias, class F>
+void solve_range(JointRow<F>& row, ControlRow<F>& c, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
     const F curvature = WithBias ? c.curvature : F(0);
-    const F up = velocity(c.j, a, b) + curvature + limit_bias<WithBias>(c.q - c.lower, k);
-    const F next_lower = lane_max(c.lambda_lower - c.mass * up, F(0));
-    apply(row, c.j, next_lower - c.lambda_lower, a, b);
-    c.lambda_lower = next_lower;
+    const F most = most_bias(c.j, k);
+    const F lower = end_impulse<WithBias>(c.lambda_lower, c.held_mass, c.q - c.lower, velocity(c.j, a, b) + curvature, most, k);
+    apply_held(row, c, lower - c.lambda_lower, a, b);
+    c.lambda_lower = lower;
 
-    const F down = -velocity(c.j, a, b) - curvature + limit_bias<WithBias>(c.upper - c.q, k);
-    const F next_upper = lane_max(c.lambda_upper - c.mass * down, F(0));
-    apply(row, c.j, c.lambda_upper - next_upper, a, b);
-    c.lambda_upper = next_upper;
+    const F upper = end_impulse<WithBias>(c.lambda_upper, c.held_mass, c.upper - c.q, F(0) - velocity(c.j, a, b) - curvature, most, k);
+    apply_held(row, c, c.lambda_upper - upper, a, b);
+    c.lambda_upper = upper;
 }
 
 /// A spring in the plane, of limited size, at B's point.
@@ -250,52 +334,26 @@ void solve_drive(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
     d.lambda = next;
 }
 
-/// Most speed at which an error is undone [length units/s], [rad/s]: joints that are made far from closed come together, they do not snap.
-inline constexpr float max_bias = 4;
-
-/// What the error of a rigid row is counted in: the length unit of the world [m] where the row moves B along a line, 1 rad where it only turns it.
-template <class F>
-F unit_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
-{
-    return select(dot(row.rigid[i].l_b, row.rigid[i].l_b) > F(0), k.length_unit, F(1));
-}
-
 /// The speed at which a rigid row undoes its error.
 template <class F>
 F bias_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
 {
-    const F most = F(max_bias) * unit_of(row, i, k);
+    const F most = most_bias(row.rigid[i], k);
     return lane_max(F(0) - most, lane_min(k.bias_rate * row.error[i], most));
 }
 
-/// The joint's rigid rows together, as one small linear system K change = -rhs, by elimination in their order.
+/// The joint's rigid rows together, in the biased or the relaxing pass.
 template <bool WithBias, class F>
 void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
     const auto count = static_cast<std::size_t>(row.rigid_count);
-    std::array<std::array<F, max_rigid_rows>, max_rigid_rows> m;
-    std::array<F, max_rigid_rows> x;
+    std::array<F, max_rigid_rows> missing = {};
     for (std::size_t i = 0; i < count; ++i)
     {
-        x[i] = -velocity(row.rigid[i], a, b);
-        if constexpr (WithBias) x[i] = x[i] - row.curvature[i] - bias_of(row, i, k);
-        for (std::size_t j = 0; j < count; ++j) m[i][j] = coupling(row, row.rigid[i], row.rigid[j]);
+        missing[i] = -velocity(row.rigid[i], a, b);
+        if constexpr (WithBias) missing[i] = missing[i] - row.curvature[i] - bias_of(row, i, k);
     }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const F inv = inverse_or_zero(m[i][i]);
-        for (std::size_t j = i + 1; j < count; ++j)
-        {
-            const F f = m[j][i] * inv;
-            for (std::size_t l = i; l < count; ++l) m[j][l] = m[j][l] - f * m[i][l];
-            x[j] = x[j] - f * x[i];
-        }
-    }
-    for (std::size_t i = count; i-- > 0;)
-    {
-        for (std::size_t l = i + 1; l < count; ++l) x[i] = x[i] - m[i][l] * x[l];
-        x[i] = x[i] * inverse_or_zero(m[i][i]);
-    }
+    const std::array<F, max_rigid_rows> x = impulses_for(row, missing);
     for (std::size_t i = 0; i < count; ++i)
     {
         F change = x[i];
@@ -322,6 +380,8 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
     {
         ControlRow<F>& c = row.controls[i];
         if constexpr (WithBias) solve_spring(row, c, a, b);
+        if (!row.has_ends) continue;
+        find_held_mass(row, c);
         solve_motor(row, c, a, b);
         solve_range<WithBias>(row, c, k, a, b);
     }

@@ -80,6 +80,7 @@ struct Slider : RandomRow
     {
         row.control_count = 1;
         linearise(row, a, b);
+        find_held_mass(row, control());
     }
     ControlRow<float>& control() { return row.controls[0]; }
     float rate() { return speed(row.controls[0].j); }

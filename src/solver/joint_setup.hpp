@@ -17,35 +17,43 @@ struct JointShape
     int rigid = 0;
     int controls = 0;
     bool has_drive = false;
+    bool has_ends = false; ///< a motor or a range
 
     std::size_t key() const
     {
-        return 1 + static_cast<std::size_t>(rigid) + 4 * static_cast<std::size_t>(controls) + (has_drive ? 12u : 0u);
+        return 1 + static_cast<std::size_t>(rigid) + 4 * static_cast<std::size_t>(controls) + (has_drive ? 12u : 0u) +
+               (has_ends ? 24u : 0u);
     }
 };
+
+template <class Spec>
+bool has_limit_or_motor(const Spec& spec)
+{
+    return spec.limit || spec.motor;
+}
 
 inline JointShape shape_of(const JointSpec& spec)
 {
     switch (static_cast<JointType>(spec.index()))
     {
-    case JointType::Revolute: return {2, 1, false};
-    case JointType::Prismatic: return {2, 1, false};
+    case JointType::Revolute: return {2, 1, false, has_limit_or_motor(*std::get_if<RevoluteJoint>(&spec))};
+    case JointType::Prismatic: return {2, 1, false, has_limit_or_motor(*std::get_if<PrismaticJoint>(&spec))};
     case JointType::Distance:
     {
         const auto& distance = *std::get_if<DistanceJoint>(&spec);
         const bool is_rod = !distance.limit && !distance.spring;
-        return {is_rod ? 1 : 0, is_rod ? 0 : 1, false};
+        return {is_rod ? 1 : 0, is_rod ? 0 : 1, false, distance.limit.has_value()};
     }
     case JointType::Weld:
     {
         const auto& weld = *std::get_if<WeldJoint>(&spec);
         return {(weld.linear ? 0 : 2) + (weld.angular ? 0 : 1), weld.angular ? 1 : 0, weld.linear.has_value()};
     }
-    case JointType::Wheel: return {1, 2, false};
+    case JointType::Wheel: return {1, 2, false, has_limit_or_motor(*std::get_if<WheelJoint>(&spec))};
     case JointType::Motor: return {0, 1, true};
     case JointType::Mouse: return {0, 0, true};
     case JointType::Gear: return {1, 0, false};
-    default: return {0, 1, false}; // pulley
+    default: return {0, 1, false, true}; // pulley
     }
 }
 
@@ -59,7 +67,9 @@ JointRow<F> empty_row(const JointSpec& spec)
     row.rigid_count = shape.rigid;
     row.control_count = shape.controls;
     row.has_drive = shape.has_drive;
+    row.has_ends = shape.has_ends;
     row.joint.fill(null_index);
+    row.arc = F(1);
     return row;
 }
 
@@ -201,17 +211,19 @@ inline void add_stiffness(const Joint& joint, const BodyStore& bodies, std::span
 }
 
 /// The inverse inertia that joints see. A light link under a high tension swings at sqrt(stiffness / inertia), faster than substeps can follow
-/// beyond 2 / h: it would gain energy until the chain breaks up. Such a link is given as much inertia as it takes to swing at 1 / h.
-inline float steady_inv_inertia(float inv_inertia, float stiffness, float h)
+/// beyond 2 / h: it would gain energy until the chain breaks up. Such a link is given as much inertia as it takes to swing at `pace` / h.
+inline float steady_inv_inertia(float inv_inertia, float stiffness, float h, float pace)
 {
-    return stiffness > 0 ? std::min(inv_inertia, 1 / std::max(h * h * stiffness, 1e-30f)) : inv_inertia;
+    return stiffness > 0 ? std::min(inv_inertia, pace * pace / std::max(h * h * stiffness, 1e-30f)) : inv_inertia;
 }
 
+/// Of links at large, and of those of a rope that bears a load: at 0.5 and above a long one may still shake, at 0.25 it turns too slowly (RopeLoad).
+inline constexpr float link_pace = 1;
+inline constexpr float loaded_link_pace = 0.3f;
+
 /// Writes a joint into lane `i` of a row of its type and shape.
-/// @param inv_inertia by motion index
 template <class F>
-void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, std::span<const float> inv_inertia,
-              const JointStepConstants& k)
+void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, const JointStepConstants& k)
 {
     const JointFrames f = frames_of(joint, bodies);
     const std::uint32_t index_a = joint.body_a == null_index ? 0 : bodies.motion_index[joint.body_a];
@@ -226,8 +238,8 @@ void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, c
     row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
     set_lane(row.inv_mass_a, i, mass_a.inv_mass);
     set_lane(row.inv_mass_b, i, mass_b.inv_mass);
-    lane(row.inv_inertia_a, i) = inv_inertia[index_a];
-    lane(row.inv_inertia_b, i) = inv_inertia[index_b];
+    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
+    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
 
     // A mouse pulls from its target, wherever the frame of A is.
     const auto* mouse = std::get_if<MouseJoint>(&joint.spec);

@@ -23,7 +23,7 @@ class JointSolver
 public:
     explicit JointSolver(std::pmr::memory_resource& memory)
         : rows_(&memory),
-          inv_inertia_(&memory),
+          stiffness_(&memory),
           corrections_(&memory),
           shares_(&memory),
           articulation_(memory)
@@ -60,7 +60,7 @@ private:
 
     template <class Kernel>
     void for_each_row(std::span<BodyMotion> motions, Kernel&& kernel);
-    void find_inertias(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, float h);
+    void steady_links(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints);
     void plan_articulation();
     void factor();
     template <bool WithBias>
@@ -75,7 +75,7 @@ private:
     }
 
     std::pmr::vector<JointRow<F>> rows_;
-    std::pmr::vector<float> inv_inertia_;      ///< by motion index, as joints see it [1/(kg m^2)]
+    std::pmr::vector<float> stiffness_;        ///< by motion index: what joints oppose to turning [N m/rad]
     std::pmr::vector<Correction> corrections_; ///< by motion index
     std::pmr::vector<float> shares_;           ///< by component of the articulation: how much of its correction is applied
     Articulation articulation_;                ///< a joint a lane, in the order of the rows

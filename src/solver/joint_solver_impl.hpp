@@ -32,7 +32,6 @@ void JointSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, co
                   F(constants.rigid.impulse_scale),
                   F(constants.length_unit)};
     if (colors.size() == 0) return;
-    find_inertias(colors, bodies, joints, constants.h);
     // A row's lanes hold joints of one type and one colour; those that found no colour depend on each other and get a lane each.
     for (int color = color_count; color-- > 0;)
     {
@@ -51,32 +50,20 @@ void JointSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, co
                     shape = shape_of(joint.spec).key();
                     next = 0;
                 }
-                fill_row(rows_.back(), next++, slot, joint, bodies, inv_inertia_, constants);
+                fill_row(rows_.back(), next++, slot, joint, bodies, constants);
             }
         }
     }
     if (rows_.empty()) return;
+    plan_articulation();
+    steady_links(colors, bodies, joints);
     for (JointRow<F>& row : rows_)
     {
         // Nothing has moved yet in this step.
         BodyLanes<F> still = {{F(0), F(0)}, F(0), {F(0), F(0)}, {F(1), F(0)}};
         linearise(row, still, still);
     }
-    plan_articulation();
     factor();
-}
-
-/// What each body opposes to turning by joints.
-template <class F>
-void JointSolver<F>::find_inertias(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints, float h)
-{
-    inv_inertia_.assign(bodies.masses.size(), 0);
-    make_room(corrections_, bodies.masses.size()); // so that joints may come far off in a warm world
-    make_room(shares_, bodies.masses.size());
-    for (int color = 0; color < color_count; ++color)
-        for (const std::uint32_t slot : colors.list(color)) add_stiffness(joints.joints[slot], bodies, inv_inertia_);
-    for (std::size_t i = 0; i < inv_inertia_.size(); ++i)
-        inv_inertia_[i] = steady_inv_inertia(bodies.masses[i].inv_inertia, inv_inertia_[i], h);
 }
 
 template <class F>
@@ -106,6 +93,32 @@ void JointSolver<F>::plan_articulation()
             const bool is_alone = articulated(r, i).count > 0 && !articulated(r, i).is_in;
             lane(rows_[r].alone, i) = is_alone ? 1.0f : 0.0f;
             rows_[r].any_alone = rows_[r].any_alone || is_alone;
+        }
+    }
+}
+
+/// Gives links under tension the inertia that substeps can follow.
+template <class F>
+void JointSolver<F>::steady_links(const ColorLists& colors, const BodyStore& bodies, const JointStore& joints)
+{
+    stiffness_.assign(bodies.masses.size(), 0);
+    make_room(corrections_, bodies.masses.size()); // so that joints may come far off in a warm world
+    make_room(shares_, bodies.masses.size());
+    for (int color = 0; color < color_count; ++color)
+        for (const std::uint32_t slot : colors.list(color)) add_stiffness(joints.joints[slot], bodies, stiffness_);
+    const float h = lane(constants_.h, 0);
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+    {
+        JointRow<F>& row = rows_[r];
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const auto at = static_cast<std::size_t>(i);
+            ArticulatedJoint& joint = articulated(r, i);
+            const bool is_loaded = articulation_.bears_a_load(joint.component);
+            const float pace = is_loaded ? loaded_link_pace : link_pace;
+            lane(row.arc, i) = is_loaded ? 0.0f : 1.0f;
+            lane(row.inv_inertia_a, i) = joint.inv_inertia_a = steady_inv_inertia(joint.inv_inertia_a, stiffness_[row.body_a[at]], h, pace);
+            lane(row.inv_inertia_b, i) = joint.inv_inertia_b = steady_inv_inertia(joint.inv_inertia_b, stiffness_[row.body_b[at]], h, pace);
         }
     }
 }
@@ -216,7 +229,7 @@ float JointSolver<F>::worst_bias() const
     for (const JointRow<F>& row : rows_)
         for (std::size_t k = 0; k < static_cast<std::size_t>(row.rigid_count); ++k)
         {
-            const F bias = bias_of(row, k, constants_) / unit_of(row, k, constants_);
+            const F bias = bias_of(row, k, constants_) * (F(max_bias) / most_bias(row.rigid[k], constants_));
             worst = lane_max(worst, lane_max(bias, F(0) - bias));
         }
     float all = 0;

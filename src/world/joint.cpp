@@ -80,6 +80,15 @@ JointDef World::joint_at(BodyId a, BodyId b, Vec2 point, float axis) const
             .frame_b = seen_from(place_of(world, b, "joint_at", "b"), point, q)};
 }
 
+MotorJoint World::motor_joint_as_placed(const JointDef& def) const
+{
+    const WorldState& world = state("motor_joint_as_placed");
+    detail::validate(world, def, "motor_joint_as_placed");
+    const Transform a = place_of(world, def.body_a, "motor_joint_as_placed", "body_a") * def.frame_a;
+    const Transform b = place_of(world, def.body_b, "motor_joint_as_placed", "body_b") * def.frame_b;
+    return {.offset = inverse_transform(a, b.p), .angle = angle(relative(a.q, b.q))};
+}
+
 JointDef World::joint_between(BodyId a, BodyId b, Vec2 point_a, Vec2 point_b) const
 {
     const WorldState& world = state("joint_between");

@@ -234,7 +234,7 @@ TEST_F(StepProbeTest, anchors_of_joints_follow_the_bodies)
     const BodyId body = world.create_body({.position = {0, 5}, .linear_velocity = {6, 0}}, box(1, 1));
     const BodyId other = world.create_body({.position = {0, 6}, .linear_velocity = {6, 0}}, box(1, 1));
     const JointId joint = world.create_joint(world.joint_at(body, other, {0, 5.5f}), WeldJoint{});
-    const JointId mouse = world.create_joint({.body_b = body}, MouseJoint{.target = {3, 4}});
+    const JointId mouse = world.create_joint({.body_b = body}, MouseJoint{.target = {3, 4}, .max_force = 0});
     const Shown seen = after(Stage::IntegratePositions);
     ASSERT_EQ(seen.joints.size(), 2u);
     EXPECT_EQ(seen.joints[0].id, joint);

@@ -9,7 +9,6 @@ namespace carom::detail
 namespace
 {
 
-constexpr float max_force = 1e20f; // [N], [N m]
 constexpr float max_hertz = 1e4f;
 
 void validate_range(const std::optional<Range>& range, float least, float most, std::string_view function)
@@ -24,7 +23,7 @@ void validate_motor(const std::optional<Motor>& motor, std::string_view function
 {
     if (!motor) return;
     require_range(function, "motor.speed", motor->speed, -max_speed, max_speed);
-    require_range(function, "motor.max_force", motor->max_force, 0, max_force);
+    require_range(function, "motor.max_force", motor->max_force, 0, max_joint_force);
 }
 
 void validate_spring(const std::optional<Spring>& spring, std::string_view function)
@@ -76,15 +75,15 @@ void validate_spec(const MotorJoint& s, std::string_view function)
     require_within(function, "offset", s.offset, max_coordinate);
     require_range(function, "angle", s.angle, -pi, pi);
     validate_spring(s.spring, function);
-    require_range(function, "max_force", s.max_force, 0, max_force);
-    require_range(function, "max_torque", s.max_torque, 0, max_force);
+    require_range(function, "max_force", s.max_force, 0, max_joint_force);
+    require_range(function, "max_torque", s.max_torque, 0, max_joint_force);
 }
 
 void validate_spec(const MouseJoint& s, std::string_view function)
 {
     require_within(function, "target", s.target, max_coordinate);
     validate_spring(s.spring, function);
-    require_range(function, "max_force", s.max_force, 0, max_force);
+    require_range(function, "max_force", s.max_force, 0, max_joint_force);
 }
 
 void validate_spec(const GearJoint& s, std::string_view function)

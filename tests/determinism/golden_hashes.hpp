@@ -21,11 +21,11 @@ inline constexpr std::array scenes = {
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
     SceneHash{"chain-terrain", 0x33b80fed8eccfe73}, SceneHash{"tiles", 0x85d3ac19385e9673},
     SceneHash{"one-way", 0x4b5fe22b1b856faf},       SceneHash{"bullets", 0x6ce5c7105fe166d},
-    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0xda3bd8eb56801d87},
-    SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0x4a6d81a5b784fc06},
+    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0x3d7fc7b7e4a19f81},
+    SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0xcef6805e7a52ee2d},
     SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
-    SceneHash{"joints", 0x6c4a1954d27689e},         SceneHash{"ragdolls", 0xa346a39356f37c9b},
-    SceneHash{"car", 0xd0461ef0d9da780b},           SceneHash{"mass-ratio", 0x1c1bf32fd467310c},
+    SceneHash{"joints", 0x678178a1041489a1},        SceneHash{"ragdolls", 0xc50f2104eb41a8e3},
+    SceneHash{"car", 0xec7bbd39d71b64e1},           SceneHash{"mass-ratio", 0xea776f6c64947e6c},
 };
 
 inline constexpr std::uint64_t mixed_world = 0xb5b7c27234e02be;

@@ -10,11 +10,20 @@ pub struct Range {
     pub upper: f32,
 }
 
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+/// As much as it takes: the default of what drives bodies [N] or [N m].
+const MAX_JOINT_FORCE: f32 = 1e20;
+
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Motor {
     pub speed: f32,
     pub max_force: f32,
+}
+
+impl Default for Motor {
+    fn default() -> Self {
+        Self { speed: 0.0, max_force: MAX_JOINT_FORCE }
+    }
 }
 
 #[derive(Clone, Copy, Debug, Deserialize)]
@@ -105,7 +114,7 @@ pub struct Wheel {
     pub motor: Option<Motor>,
 }
 
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct MotorJoint {
     pub offset: Vec2,
@@ -115,12 +124,30 @@ pub struct MotorJoint {
     pub max_torque: f32,
 }
 
-#[derive(Clone, Debug, Default, Deserialize)]
+impl Default for MotorJoint {
+    fn default() -> Self {
+        Self {
+            offset: Vec2::default(),
+            angle: 0.0,
+            spring: Spring::default(),
+            max_force: MAX_JOINT_FORCE,
+            max_torque: MAX_JOINT_FORCE,
+        }
+    }
+}
+
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Mouse {
     pub target: Vec2,
     pub spring: Spring,
     pub max_force: f32,
+}
+
+impl Default for Mouse {
+    fn default() -> Self {
+        Self { target: Vec2::default(), spring: Spring::default(), max_force: MAX_JOINT_FORCE }
+    }
 }
 
 /// What a joint is. Of gears and pulleys, which no Rust peer has, only that they are there.
