@@ -6,9 +6,9 @@
 #include "cli/scene_source.hpp"
 #include "files/text.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/schema.hpp"
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/schema.hpp"
+#include "scene_file/writer.hpp"
 #include "scenes/text.hpp"
 
 #include <algorithm>

@@ -11,8 +11,8 @@
 #include "files/text.hpp"
 #include "lab/history.hpp"
 #include "lab/own_run.hpp"
-#include "lab/scene_file/reader.hpp"
 #include "lab/self_check.hpp"
+#include "scene_file/reader.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/text.hpp"
 

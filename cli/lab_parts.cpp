@@ -6,7 +6,7 @@
 #include "files/output_file.hpp"
 #include "files/text.hpp"
 #include "lab/fingerprint.hpp"
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/writer.hpp"
 
 #include <sstream>
 #include <stdexcept>

@@ -7,7 +7,7 @@
 #include "files/text.hpp"
 #include "lab/engines.hpp"
 #include "lab/resume.hpp"
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/reader.hpp"
 
 #include <charconv>
 #include <stdexcept>

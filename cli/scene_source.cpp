@@ -4,8 +4,8 @@
 #include "cli/errors.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/scene_file/file_scene.hpp"
-#include "lab/scene_file/reader.hpp"
-#include "lab/scene_file/snapshot.hpp"
+#include "lab/scene_file/scene_snapshot.hpp"
+#include "scene_file/reader.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 

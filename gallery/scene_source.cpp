@@ -4,7 +4,7 @@
 #include "files/input_file.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/scene_file/file_scene.hpp"
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/reader.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/text.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "files/output_file.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
-#include "lab/scene_file/writer.hpp"
 #include "lab/suites.hpp"
+#include "scene_file/writer.hpp"
 
 #include <algorithm>
 #include <array>

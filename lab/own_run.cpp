@@ -3,7 +3,7 @@
 
 #include "lab/sampling.hpp"
 #include "lab/scene_file/painting.hpp"
-#include "lab/scene_file/player.hpp"
+#include "scene_file/player.hpp"
 
 #include <carom/version.hpp>
 

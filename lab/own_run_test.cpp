@@ -2,8 +2,8 @@
 
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/sampling.hpp"
-#include "lab/scene_file/player.hpp"
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/player.hpp"
+#include "scene_file/reader.hpp"
 
 #include <algorithm>
 #include <filesystem>

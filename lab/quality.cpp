@@ -2,7 +2,7 @@
 #include "lab/quality.hpp"
 
 #include "lab/passages.hpp"
-#include "lab/scene_file/player.hpp"
+#include "scene_file/player.hpp"
 
 #include <algorithm>
 #include <cmath>

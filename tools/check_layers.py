@@ -24,14 +24,16 @@ ENGINE = {
 PROGRAMS = {
     "include": ["include"],
     "files": ["files"],
-    "scenes": ["include", "scenes"],
-    "lab": ["include", "files", "scenes", "lab"],
-    "cli": ["include", "files", "scenes", "lab", "cli"],
-    "gallery": ["include", "files", "scenes", "lab", "gallery"],
-    "tests": ["include", "src", "files", "scenes", "lab", "cli", "gallery", "tests"],
+    "support": ["support"],
+    "scene_file": ["include", "files", "support", "scene_file"],
+    "scenes": ["include", "support", "scenes"],
+    "lab": ["include", "files", "support", "scene_file", "scenes", "lab"],
+    "cli": ["include", "files", "support", "scene_file", "scenes", "lab", "cli"],
+    "gallery": ["include", "files", "support", "scene_file", "scenes", "lab", "gallery"],
+    "tests": ["include", "src", "files", "support", "scene_file", "scenes", "lab", "cli", "gallery", "tests"],
 }
 # These may use no other library than the standard one, and the compilers' headers for SIMD.
-STANDARD_ONLY = {"include", "src", "scenes", "files"}
+STANDARD_ONLY = {"include", "src", "support", "scenes", "files"}
 # This one deals with the operating system: POSIX too.
 POSIX_TOO = {"files"}
 # But for one file a library, which is built only when that library is asked for.

@@ -2,7 +2,7 @@
 #include "lab/field_scenes/field_scenes.hpp"
 
 #include "lab/field_scenes/makers.hpp"
-#include "lab/scene_file/check.hpp"
+#include "scene_file/check.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // Each scene plays at a small size; the measured sizes are those that the field uses.
 #include "lab/field_scenes/field_scenes.hpp"
 
-#include "lab/scene_file/player.hpp"
-#include "lab/scene_file/reader.hpp"
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/player.hpp"
+#include "scene_file/reader.hpp"
+#include "scene_file/writer.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

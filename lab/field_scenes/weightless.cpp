@@ -1,6 +1,6 @@
 // No ground: the collision scene that Carom inherited, and planets around a sun.
 #include "lab/field_scenes/makers.hpp"
-#include "lab/scene_file/snapshot.hpp"
+#include "lab/scene_file/scene_snapshot.hpp"
 #include "scenes/registry.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Plays a scene file into a scene's world.
 #include "lab/scene_file/file_scene.hpp"
 
-#include "lab/scene_file/check.hpp"
+#include "scene_file/check.hpp"
 
 #include <algorithm>
 #include <cmath>

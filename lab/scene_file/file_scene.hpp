@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lab/scene_file/painting.hpp"
-#include "lab/scene_file/player.hpp"
+#include "scene_file/player.hpp"
 #include "scenes/painted_scene.hpp"
 
 #include <string>

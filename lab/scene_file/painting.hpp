@@ -1,7 +1,8 @@
 // What a world that lives by a scene file looks like.
 #pragma once
 
-#include "lab/scene_file/player.hpp"
+#include "lab/scene_file/model.hpp"
+#include "scene_file/player.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/draw_list.hpp"
 #include "scenes/helpers.hpp"

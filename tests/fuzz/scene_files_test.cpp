@@ -1,14 +1,14 @@
 // Scene files that were spoilt in every way: each is read or refused, what is read is played or refused, and nothing else happens.
 #include "scenes/random.hpp"
 
-#include "lab/scene_file/everything_test.hpp"
-#include "lab/scene_file/player.hpp"
-#include "lab/scene_file/reader.hpp"
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/everything_test.hpp"
+#include "scene_file/player.hpp"
+#include "scene_file/reader.hpp"
+#include "scene_file/writer.hpp"
 
 #include <gtest/gtest.h>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -123,4 +123,4 @@ TEST(SceneFiles, spoilt_ones_are_read_or_refused)
     EXPECT_GT(played, 200);
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -3,7 +3,7 @@
 #include "files/text.hpp"
 #include "lab/peers/box2d2/engine.hpp"
 #include "lab/sampling.hpp"
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/reader.hpp"
 
 #include <CLI/CLI.hpp>
 

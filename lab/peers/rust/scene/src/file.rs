@@ -1,4 +1,4 @@
-//! A scene file as plain data: the counterpart of lab/scene_file/model.hpp. docs/scene-files.md and docs/scene.schema.json say what the fields mean.
+//! A scene file as plain data: the counterpart of scene_file/model.hpp. docs/scene-files.md and docs/scene.schema.json say what the fields mean.
 
 mod joints;
 mod shapes;

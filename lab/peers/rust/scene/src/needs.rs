@@ -1,4 +1,4 @@
-//! What an engine must have to run a scene: the counterpart of needs_of() in lab/scene_file/check.cpp.
+//! What an engine must have to run a scene: the counterpart of needs_of() in scene_file/check.cpp.
 
 use crate::file::{ChainSides, Field, Geometry, Locks, Material, MixingRules, SceneFile};
 

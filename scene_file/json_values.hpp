@@ -1,7 +1,7 @@
 // The JSON of each kind of value in a scene file, with no field that is at its default. Used by the writer and by the schema alone.
 #pragma once
 
-#include "lab/scene_file/polygon.hpp"
+#include "scene_file/polygon.hpp"
 
 #include <array>
 #include <bit>
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 template <class T>
@@ -143,4 +143,4 @@ inline nlohmann::ordered_json json_of(const Field& value)
     { return {{std::string(Keys<Field>::all[value.index()]), json_of(field)}}; }, value);
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,7 +1,7 @@
 // Plays scene files: builds the world, and does what is to happen before each step.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <carom/carom.hpp>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// What the rays of a scene met in one step.
@@ -90,4 +90,4 @@ private:
     RayResult rays_;
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -5,12 +5,12 @@
 // the object itself, and visitor.choice(pointer to member, rule) where one of several keys says which kind of thing follows.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <limits>
 #include <string_view>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// What may stand in a field, and what is said about it.
@@ -97,4 +97,4 @@ struct Keys<Field>
     static constexpr std::string_view all[] = {"uniform", "point", "n_body"};
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

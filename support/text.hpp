@@ -1,18 +1,18 @@
-// Guesses which name was meant, by how many letters differ.
-#include "scenes/text.hpp"
+// Words for messages: lists, and a guess at which name was meant, by how many letters differ.
+#pragma once
 
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-namespace carom::scenes
-{
-
-namespace
+namespace carom::support
 {
 
 /// How many letters must be changed, added or taken away to make one word of the other (Levenshtein's distance).
-std::size_t edit_distance(std::string_view a, std::string_view b)
+inline std::size_t edit_distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -30,23 +30,23 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-} // namespace
-
-std::string joined(std::span<const std::string> words)
+/// "a, b, c".
+inline std::string joined(std::span<const std::string> words)
 {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
     return text;
 }
 
-std::string lower_case(std::string_view text)
+inline std::string lower_case(std::string_view text)
 {
     std::string lower(text);
     for (char& c : lower) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return lower;
 }
 
-std::string closest(std::string_view name, std::span<const std::string> candidates)
+/// Of the candidates the one that `name` is likely a slip of; empty when none is close.
+inline std::string closest(std::string_view name, std::span<const std::string> candidates)
 {
     constexpr std::size_t longest = 64; // nobody mistypes a name into more; bounds the work on hostile input
     if (name.size() > longest) return {};
@@ -65,10 +65,11 @@ std::string closest(std::string_view name, std::span<const std::string> candidat
     return best;
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string> candidates)
+/// What to try instead of a name that does not exist: "did you mean circles?", or all that there are.
+inline std::string suggestion(std::string_view name, std::span<const std::string> candidates)
 {
     const std::string near = closest(name, candidates);
     return near.empty() ? "there are " + joined(candidates) : "did you mean " + near + "?";
 }
 
-} // namespace carom::scenes
+} // namespace carom::support

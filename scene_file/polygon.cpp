@@ -1,10 +1,10 @@
 // Makes polygons from their corners in the two ways in which the engine does.
-#include "lab/scene_file/polygon.hpp"
+#include "scene_file/polygon.hpp"
 
 #include <algorithm>
 #include <bit>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -70,4 +70,4 @@ PolygonFields fields_of(const Polygon& polygon)
     return fields;
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,9 +1,9 @@
 // The fields of joints in a scene file.
 #pragma once
 
-#include "lab/scene_file/field_rules.hpp"
+#include "scene_file/field_rules.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 template <>
@@ -211,4 +211,4 @@ struct Fields<FileJoint>
     }
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

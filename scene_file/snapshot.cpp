@@ -1,15 +1,15 @@
 // Asks a world for all that a scene file holds, and plays the file to see whether it holds all.
-#include "lab/scene_file/snapshot.hpp"
+#include "scene_file/snapshot.hpp"
 
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/player.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/player.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -193,17 +193,4 @@ SceneFile snapshot_of(const World& world)
     return file;
 }
 
-SceneFile snapshot_of(const scenes::Scene& scene)
-{
-    SceneFile file = parts_of(scene.world());
-    file.name = scene.info().name;
-    file.description = scene.info().description;
-    file.time_step = scene.time_step();
-    file.substeps = scene.parameters().integer("substeps");
-    file.view = FileView{scene.camera().center, scene.camera().height};
-    compare(file, scene.world());
-    if (!scene.info().own_code.empty()) file.notes.push_back("The scene's own code is not in the file: " + scene.info().own_code + ".");
-    return file;
-}
-
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,12 +1,11 @@
 // Writes down a world as it stands.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
-#include "scenes/scene.hpp"
+#include "scene_file/model.hpp"
 
 #include <carom/carom.hpp>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// The bodies, joints, fields and settings of a world as they stand. Of a world that has not been stepped, and whose bodies, shapes and joints were
@@ -14,7 +13,4 @@ namespace carom::lab
 /// that wait for the next step, and of a world that has been stepped, its contacts with their impulses.
 SceneFile snapshot_of(const World& world);
 
-/// With the name, time step, substeps and view of the scene; what the scene's own code does to later steps is said in the notes.
-SceneFile snapshot_of(const scenes::Scene& scene);
-
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,10 +1,10 @@
 // Which name a slip is taken for.
-#include "scenes/text.hpp"
+#include "support/text.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace carom::scenes
+namespace carom::support
 {
 
 namespace
@@ -31,4 +31,4 @@ TEST(Text, suggests_all_names_when_none_is_close)
     EXPECT_EQ(suggestion("temperature", names), "there are circles, boxes, cover, speed");
 }
 
-} // namespace carom::scenes
+} // namespace carom::support

@@ -1,12 +1,12 @@
 // Follows the parser through the text: where it is, which fields it has seen, and which elements are complete.
-#include "lab/scene_file/json_parts.hpp"
+#include "scene_file/json_parts.hpp"
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 using nlohmann::json;
@@ -163,4 +163,4 @@ json parse_parts(std::string_view text, const std::string& name, std::span<const
     return root;
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

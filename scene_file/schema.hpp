@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// The schema, in draft 2020-12 of JSON Schema, from the same lists of fields that the reader walks.
 std::string scene_file_schema();
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,12 +1,12 @@
 // Makes bodies and joints from their descriptions, and says of which one the engine refused something.
-#include "lab/scene_file/player.hpp"
+#include "scene_file/player.hpp"
 
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/fields.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/fields.hpp"
 
 #include <utility>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -208,4 +208,4 @@ StepReport FilePlayer::step()
     return report;
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,13 +1,13 @@
 // Reads scene files.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// @throws SceneFileError when it can't be read, is too large, or holds what is no scene
@@ -15,4 +15,4 @@ SceneFile read_scene_file(const std::filesystem::path& path);
 /// @param name of the source, for messages
 SceneFile parse_scene_file(std::string_view text, const std::string& name);
 
-} // namespace carom::lab
+} // namespace carom::scene_file

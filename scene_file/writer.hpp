@@ -1,13 +1,13 @@
 // Writes scene files.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <filesystem>
 #include <ostream>
 #include <string>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// Writes a scene as JSON: each body, joint, event and ray on a line of its own, numbers with as many digits as they need to come back to the last
@@ -19,4 +19,4 @@ std::string scene_file_text(const SceneFile& file);
 /// @throws SceneFileError also when it can't be written
 void write_scene_file(const std::filesystem::path& path, const SceneFile& file);
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,9 +1,9 @@
 // The fields of shapes and chains in a scene file.
 #pragma once
 
-#include "lab/scene_file/field_rules.hpp"
+#include "scene_file/field_rules.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 template <>
@@ -168,4 +168,4 @@ struct Fields<FileChain>
     }
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,14 +1,14 @@
 // What is read is what was written, and what is wrong with a file is said where it is.
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/reader.hpp"
 
-#include "lab/scene_file/schema.hpp"
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/schema.hpp"
+#include "scene_file/writer.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -154,4 +154,4 @@ TEST(SceneFileSchema, is_the_one_in_the_documents)
     EXPECT_EQ(text.str(), scene_file_schema()) << "run: carom export --schema > docs/scene.schema.json";
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

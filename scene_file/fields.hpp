@@ -1,10 +1,10 @@
 // The fields of a scene file: of its events, its world and the whole; with those of bodies and joints.
 #pragma once
 
-#include "lab/scene_file/body_fields.hpp"
-#include "lab/scene_file/joint_fields.hpp"
+#include "scene_file/body_fields.hpp"
+#include "scene_file/joint_fields.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 template <>
@@ -239,4 +239,4 @@ struct Fields<SceneFile>
     }
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

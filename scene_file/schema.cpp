@@ -1,10 +1,10 @@
 // Walks the fields of each part and writes down what may stand in them.
-#include "lab/scene_file/schema.hpp"
+#include "scene_file/schema.hpp"
 
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/json_values.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/json_values.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 using nlohmann::ordered_json;
@@ -201,4 +201,4 @@ ordered_json SchemaWriter::field_schema()
 
 std::string scene_file_schema() { return SchemaWriter().text(); }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,10 +1,10 @@
 // Walks the fields of each part, and words what is wrong with a value.
-#include "lab/scene_file/reader.hpp"
+#include "scene_file/reader.hpp"
 
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/json_parts.hpp"
-#include "lab/scene_file/polygon.hpp"
-#include "scenes/text.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/json_parts.hpp"
+#include "scene_file/polygon.hpp"
+#include "support/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 using nlohmann::json;
@@ -162,9 +162,9 @@ public:
     void read(const json& value, Enum& out, const Rule&, const Spot& spot) const
     {
         const std::vector<std::string> words(std::begin(Words<Enum>::all), std::end(Words<Enum>::all));
-        if (!value.is_string()) refuse(spot, value, "give one of " + scenes::joined(words));
+        if (!value.is_string()) refuse(spot, value, "give one of " + support::joined(words));
         const auto found = std::find(words.begin(), words.end(), value.get_ref<const std::string&>());
-        if (found == words.end()) refuse(spot, value, "it is none of the words; " + scenes::suggestion(value.get<std::string>(), words));
+        if (found == words.end()) refuse(spot, value, "it is none of the words; " + support::suggestion(value.get<std::string>(), words));
         out = static_cast<Enum>(found - words.begin());
     }
     template <class T>
@@ -242,7 +242,7 @@ public:
     template <class Variant>
     static std::string key_list()
     {
-        return scenes::joined(std::vector<std::string>(std::begin(Keys<Variant>::all), std::end(Keys<Variant>::all)));
+        return support::joined(std::vector<std::string>(std::begin(Keys<Variant>::all), std::end(Keys<Variant>::all)));
     }
 
     [[noreturn]] void fail(const Spot& spot, const std::string& problem, const std::string& remedy) const
@@ -302,7 +302,7 @@ private:
         for (const auto& item : object.items())
         {
             if (std::find(known.names.begin(), known.names.end(), item.key()) == known.names.end())
-                fail(spot, "has an unknown field \"" + shortened(item.key()) + "\"", scenes::suggestion(item.key(), known.names));
+                fail(spot, "has an unknown field \"" + shortened(item.key()) + "\"", support::suggestion(item.key(), known.names));
         }
         fail(spot, "has fields that are not known", "give only those of the schema");
     }
@@ -360,7 +360,7 @@ void ObjectReader<T>::choice(M T::* member, const Rule& rule)
     if (used > 0 || !rule.is_required) return;
     FieldNames keys;
     keys.choice(member, rule);
-    reader_.fail(spot_, "says not what it is", "add one of " + scenes::joined(keys.names));
+    reader_.fail(spot_, "says not what it is", "add one of " + support::joined(keys.names));
 }
 
 /// Takes the elements of the long lists as the parser comes by.
@@ -428,4 +428,4 @@ SceneFile parse_scene_file(std::string_view text, const std::string& name)
 
 SceneFile read_scene_file(const std::filesystem::path& path) { return parse_scene_file(text_of(path), path.string()); }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

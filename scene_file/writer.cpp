@@ -1,8 +1,8 @@
 // Walks the fields of each part and writes those that are not at their defaults.
-#include "lab/scene_file/writer.hpp"
+#include "scene_file/writer.hpp"
 
-#include "lab/scene_file/check.hpp"
-#include "lab/scene_file/json_values.hpp"
+#include "scene_file/check.hpp"
+#include "scene_file/json_values.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <type_traits>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 using nlohmann::ordered_json;
@@ -96,4 +96,4 @@ void write_scene_file(const std::filesystem::path& path, const SceneFile& file)
     if (!out) throw SceneFileError("can't write \"" + path.string() + "\": " + std::strerror(errno));
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

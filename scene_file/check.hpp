@@ -1,14 +1,14 @@
 // What must hold between the parts of a scene file, and what an engine must have to run it.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// Numbers of bodies and joints name what is there at that step, events come by step, the whole file is within its limits, and `needs` leaves
@@ -23,4 +23,4 @@ std::vector<std::string> needs_of(const SceneFile& file);
 /// All words that `needs` may hold.
 std::span<const std::string_view> feature_words();
 
-} // namespace carom::lab
+} // namespace carom::scene_file

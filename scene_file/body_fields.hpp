@@ -1,9 +1,9 @@
 // The fields of bodies in a scene file.
 #pragma once
 
-#include "lab/scene_file/shape_fields.hpp"
+#include "scene_file/shape_fields.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 template <>
@@ -72,4 +72,4 @@ struct Fields<FileBody>
     }
 };
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,11 +1,11 @@
 // A scene file for tests in which every field appears.
 #pragma once
 
-#include "lab/scene_file/model.hpp"
+#include "scene_file/model.hpp"
 
 #include <array>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 inline FileBody body_with_all_shapes()
@@ -142,4 +142,4 @@ inline SceneFile everything()
     return file;
 }
 
-} // namespace carom::lab
+} // namespace carom::scene_file

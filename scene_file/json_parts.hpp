@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// One element of a long list at the top of the file.
@@ -24,4 +24,4 @@ nlohmann::json parse_parts(std::string_view text, const std::string& name, std::
 /// Enough of a text to recognise it in a message.
 std::string shortened(std::string text);
 
-} // namespace carom::lab
+} // namespace carom::scene_file

@@ -1,9 +1,9 @@
 // Polygons as scene files write them: what follows from the vertices is computed.
 #pragma once
 
-#include "lab/scene_file/fields.hpp"
+#include "scene_file/fields.hpp"
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 /// The polygon of these corners in this order, to the last bit as the engine's own makers would give it.
@@ -13,4 +13,4 @@ Polygon polygon_from(const PolygonFields& fields);
 /// What has to be written so that polygon_from() gives the same polygon to the last bit.
 PolygonFields fields_of(const Polygon& polygon);
 
-} // namespace carom::lab
+} // namespace carom::scene_file

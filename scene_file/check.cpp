@@ -1,13 +1,13 @@
 // Walks a scene from its first step to its last with no more than the numbers of what is there.
-#include "lab/scene_file/check.hpp"
+#include "scene_file/check.hpp"
 
-#include "lab/scene_file/fields.hpp"
-#include "scenes/text.hpp"
+#include "scene_file/fields.hpp"
+#include "support/text.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace carom::lab
+namespace carom::scene_file
 {
 
 namespace
@@ -296,7 +296,7 @@ void check_needs(const SceneFile& file, const std::string& name)
     for (const std::string& need : file.needs)
     {
         if (std::find(known.begin(), known.end(), need) == known.end())
-            throw SceneFileError(name + ": needs names \"" + need + "\", which is no feature; " + scenes::suggestion(need, known));
+            throw SceneFileError(name + ": needs names \"" + need + "\", which is no feature; " + support::suggestion(need, known));
     }
     for (const std::string& need : needs_of(file))
     {
@@ -325,4 +325,4 @@ std::vector<std::string> needs_of(const SceneFile& file)
 
 std::span<const std::string_view> feature_words() { return words; }
 
-} // namespace carom::lab
+} // namespace carom::scene_file
