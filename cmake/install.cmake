@@ -4,7 +4,12 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
 install(TARGETS carom EXPORT carom)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/carom DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/carom DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN scene_file.hpp EXCLUDE)
+if(TARGET carom_scene_file)
+    install(TARGETS carom_scene_file EXPORT carom-scene_file)
+    install(FILES ${PROJECT_SOURCE_DIR}/include/carom/scene_file.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom)
+    install(EXPORT carom-scene_file NAMESPACE carom:: FILE carom-scene_file-targets.cmake DESTINATION ${package_dir})
+endif()
 
 install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${package_dir})
 configure_file(cmake/carom-config.cmake.in carom-config.cmake @ONLY)

@@ -129,7 +129,7 @@ TEST_F(SceneFiles, are_read_again_when_they_change)
 TEST_F(SceneFiles, that_break_keep_the_last_good_scene_and_say_where)
 {
     Session session(SceneSource::of_file(file_), {}, 1);
-    write("{\n\"bodies\": [[}");
+    write("{\n\"bodies\": [{]");
     EXPECT_TRUE(comes_true(session, [&] { return session.message().find("balls.json:2:") != std::string::npos; })) << session.message();
     EXPECT_NE(session.message().find("balls.json:2:13"), std::string::npos) << session.message() << ": line and column";
     EXPECT_EQ(session.scene().world().body_count(), 2);

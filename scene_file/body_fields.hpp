@@ -63,7 +63,7 @@ struct Fields<FileBody>
     template <class V>
     static void visit(V& v)
     {
-        v("name", &FileBody::name, about(""));
+        v("name", &FileBody::name, about("may repeat"));
         v.flat(&FileBody::def);
         v("is_awake", &FileBody::is_awake, about("false: it sleeps from the start; not of a static body"));
         v("mass_data", &FileBody::mass_data, about("instead of what the shapes give"));

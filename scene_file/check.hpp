@@ -17,6 +17,10 @@ namespace carom::scene_file
 /// @throws SceneFileError
 void check(SceneFile& file, const std::string& name);
 
+/// All that check() would refuse, in the order of the file.
+/// @param most after so many problems the rest is not looked at, >= 1
+std::vector<SceneProblem> problems_of(const SceneFile& file, const std::string& name, int most);
+
 /// What an engine must have to run the scene, of feature_words().
 std::vector<std::string> needs_of(const SceneFile& file);
 

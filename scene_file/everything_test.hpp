@@ -40,7 +40,7 @@ inline FileBody body_with_all_shapes()
     Polygon odd = convex_hull(std::array{Vec2{0, 0}, Vec2{1, 0}, Vec2{0.3f, 0.7f}}, 0.1f);
     odd.normals[1].x += 1e-7f; // so that it has to be written
     odd.centroid.x += 1e-6f;
-    body.shapes = {{circle(0.5f, {0.1f, 0.2f}), def}, {capsule({0, 0}, {1, 0}, 0.25f)}, {segment({0, 0}, {2, 0})}, {odd}};
+    body.shapes = {{circle(0.5f, {0.1f, 0.2f}), def, "disc"}, {capsule({0, 0}, {1, 0}, 0.25f)}, {segment({0, 0}, {2, 0})}, {odd}};
     FileChain chain;
     chain.points = {{0, 0}, {1, 0}, {1, 1}};
     chain.def = {.points = {},
@@ -54,6 +54,7 @@ inline FileBody body_with_all_shapes()
                  .pre_solve = true,
                  .user_data = 11};
     chain.materials = {def.material};
+    chain.name = "ramp";
     body.chains = {chain};
     return body;
 }
@@ -71,7 +72,7 @@ inline std::vector<FileJoint> joints_of_all_types()
     std::vector<FileJoint> joints;
     for (const JointSpec& spec : specs)
     {
-        FileJoint joint{.body_b = 2, .spec = spec};
+        FileJoint joint{.body_b = 2, .spec = spec, .name = "joint"};
         if (!std::holds_alternative<MouseJoint>(spec)) joint.body_a = 1;
         joint.def.frame_a = {{0.5f, 0}, {0, 1}};
         joint.def.frame_b = {{-0.5f, 0}, {0, -1}};

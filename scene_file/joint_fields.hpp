@@ -204,6 +204,7 @@ struct Fields<FileJoint>
     template <class V>
     static void visit(V& v)
     {
+        v("name", &FileJoint::name, about("may repeat"));
         v("body_a", &FileJoint::body_a, number_of_body("number of the body; left out: the world itself", false));
         v("body_b", &FileJoint::body_b, number_of_body("number of the body, another than body_a", true));
         v.flat(&FileJoint::def);

@@ -20,7 +20,7 @@ concept Described = requires { Fields<T>::what; };
 /// The shortest decimal that comes back as the same float: 0.1 rather than 0.10000000149011612.
 inline nlohmann::ordered_json json_of(float value)
 {
-    if (!std::isfinite(value)) throw SceneFileError("a scene file can't hold a number that is not finite");
+    if (!std::isfinite(value)) throw SceneFileError({.source = "scene", .message = "can't hold a number that is not finite"});
     std::array<char, 40> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     double shortest = 0;

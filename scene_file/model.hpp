@@ -5,23 +5,36 @@
 #pragma once
 
 #include <carom/carom.hpp>
+#include <carom/scene_file.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace carom::scene_file
 {
 
-/// A scene file that can't be read or played. what() names the file, the place in it, what was found and what is expected:
-/// "scene.json: bodies[3].shapes[0].circle.radius is -1; give a number > 0 [m]".
+/// A scene file that can't be read or played. what() is the text of the problem.
 class SceneFileError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    explicit SceneFileError(SceneProblem problem) : std::runtime_error(problem.text()), problem_(std::move(problem)) {}
+
+    const SceneProblem& problem() const { return problem_; }
+
+private:
+    SceneProblem problem_;
+};
+
+/// Where in its file a part of a scene begins, counted from 1; 0 when it was not read from a file.
+struct Place
+{
+    int line = 0;
+    int column = 0;
 };
 
 inline constexpr int scene_file_version = 1;
@@ -32,11 +45,15 @@ inline constexpr int most_file_shapes = 4'000'000; ///< in the whole file; a seg
 inline constexpr int most_file_steps = 10'000'000;
 inline constexpr int most_file_events = 1'000'000;
 inline constexpr int most_file_rays = 100'000;
+inline constexpr int most_file_changes = 4'000'000;       ///< of bodies and joints by events, in the whole file
+inline constexpr std::size_t most_text_bytes = 64 * 1024; ///< of a name or a description
 
 struct FileShape
 {
     Geometry geometry = Circle{};
     ShapeDef def = {};
+    std::string name = {};
+    Place place = {};
 };
 
 struct FileChain
@@ -44,6 +61,8 @@ struct FileChain
     std::vector<Vec2> points; ///< in the body's frame [m]
     ChainDef def = {};        ///< its spans stay empty
     std::vector<Material> materials = {};
+    std::string name = {};
+    Place place = {};
 };
 
 struct FileBody
@@ -54,6 +73,7 @@ struct FileBody
     std::optional<MassData> mass_data = {}; ///< instead of what the shapes give
     std::vector<FileShape> shapes = {};     ///< made in this order, before the next body
     std::vector<FileChain> chains = {};     ///< after the shapes
+    Place place = {};
 };
 
 struct FileJoint
@@ -62,6 +82,8 @@ struct FileJoint
     int body_b = -1;                ///< number of the body
     JointDef def = {};              ///< its ids stay null
     JointSpec spec = RevoluteJoint{};
+    std::string name = {};
+    Place place = {};
 };
 
 /// Changes what is given, in this order, and nothing else.
@@ -82,6 +104,7 @@ struct SetBody
     std::optional<bool> is_attractor = {};
     std::optional<bool> is_enabled = {};
     std::optional<bool> is_awake = {};
+    Place place = {};
 };
 
 /// One of the two.
@@ -90,6 +113,7 @@ struct SetJoint
     int joint = -1;
     std::optional<float> motor_speed = {}; ///< of a joint that has a motor [rad/s] or [m/s]
     std::optional<JointSpec> spec = {};    ///< of the joint's own type
+    Place place = {};
 };
 
 struct SetWorld
@@ -108,6 +132,7 @@ struct FileEvent
     std::optional<SetWorld> set_world = {};
     std::vector<SetBody> set_bodies = {};
     std::vector<SetJoint> set_joints = {};
+    Place place = {};
 };
 
 struct FileWorld
@@ -121,12 +146,7 @@ struct FileWorld
     std::vector<Field> fields = {};
 };
 
-/// What a picture of the scene should show.
-struct FileView
-{
-    Vec2 center = {};  ///< [m]
-    float height = 20; ///< [m]
-};
+using FileView = SceneView;
 
 struct SceneFile
 {
@@ -144,6 +164,7 @@ struct SceneFile
     std::vector<FileJoint> joints = {};
     std::vector<FileEvent> events = {}; ///< by step
     std::vector<Ray> rays = {};         ///< cast after every step, each for the nearest hit
+    Place place = {};
 };
 
 } // namespace carom::scene_file

@@ -57,9 +57,10 @@ WorldDef FilePlayback::world_def(const SceneFile& file)
 }
 
 /// Does something to the world; what the engine refuses of it is reported with its place in the file.
-/// @param path makes the place
+/// @param place of the part of the file
+/// @param path  makes the path of the part
 template <class Path, class Action>
-void FilePlayback::located(const Path& path, const Action& action) const
+void FilePlayback::located(const Place& place, const Path& path, const Action& action) const
 {
     try
     {
@@ -67,14 +68,29 @@ void FilePlayback::located(const Path& path, const Action& action) const
     }
     catch (const UsageError& error)
     {
-        throw SceneFileError(name_ + ": " + path() + "." + error.field() + " is " + error.value() + "; " + error.remedy());
+        throw SceneFileError({.source = name_,
+                              .line = place.line,
+                              .column = place.column,
+                              .field = path() + "." + error.field(),
+                              .message = "is " + error.value() + "; " + error.remedy()});
     }
 }
 
 void FilePlayback::begin(World& world)
 {
+    add_fields(world);
+    create_parts(world);
+}
+
+void FilePlayback::add_fields(World& world)
+{
     for (std::size_t i = 0; i < file_.world.fields.size(); ++i)
-        located([&] { return element("world.fields", i); }, [&] { world.add_field(file_.world.fields[i]); });
+        located(file_.place, [&] { return element("world.fields", i); },
+                [&] { fields_.push_back(world.add_field(file_.world.fields[i])); });
+}
+
+void FilePlayback::create_parts(World& world)
+{
     create_bodies(world, file_.bodies, "bodies");
     create_joints(world, file_.joints, "joints");
     put_to_sleep(world, file_.bodies, 0);
@@ -87,17 +103,32 @@ void FilePlayback::create_bodies(World& world, const std::vector<FileBody>& bodi
     {
         const FileBody& body = bodies[i];
         BodyId id;
-        located([&] { return element(list, i); }, [&] { id = world.create_body(def_of(body)); });
-        for (std::size_t s = 0; s < body.shapes.size(); ++s)
-        {
-            located([&] { return element(element(list, i) + ".shapes", s); },
-                    [&] { world.create_shape(id, body.shapes[s].geometry, body.shapes[s].def); });
-        }
-        for (std::size_t c = 0; c < body.chains.size(); ++c)
-            located([&] { return element(element(list, i) + ".chains", c); }, [&] { world.create_chain(id, def_of(body.chains[c])); });
-        if (body.mass_data)
-            located([&] { return element(list, i) + ".mass_data"; }, [&] { world.body(id).set_mass_data(*body.mass_data); });
+        located(body.place, [&] { return element(list, i); }, [&] { id = world.create_body(def_of(body)); });
         bodies_.push_back(id);
+        if (!body.name.empty()) names_.bodies.add(body.name, id);
+        add_shapes(world, id, body, list, i);
+        if (body.mass_data)
+            located(body.place, [&] { return element(list, i) + ".mass_data"; }, [&] { world.body(id).set_mass_data(*body.mass_data); });
+    }
+}
+
+void FilePlayback::add_shapes(World& world, BodyId id, const FileBody& body, const std::string& list, std::size_t index)
+{
+    for (std::size_t i = 0; i < body.shapes.size(); ++i)
+    {
+        const FileShape& shape = body.shapes[i];
+        ShapeId made;
+        located(shape.place, [&] { return element(element(list, index) + ".shapes", i); },
+                [&] { made = world.create_shape(id, shape.geometry, shape.def); });
+        if (!shape.name.empty()) names_.shapes.add(shape.name, made);
+    }
+    for (std::size_t i = 0; i < body.chains.size(); ++i)
+    {
+        const FileChain& chain = body.chains[i];
+        ChainId made;
+        located(chain.place, [&] { return element(element(list, index) + ".chains", i); },
+                [&] { made = world.create_chain(id, def_of(chain)); });
+        if (!chain.name.empty()) names_.chains.add(chain.name, made);
     }
 }
 
@@ -116,14 +147,18 @@ void FilePlayback::create_joints(World& world, const std::vector<FileJoint>& joi
         JointDef def = joint.def;
         if (joint.body_a) def.body_a = body(*joint.body_a);
         def.body_b = body(joint.body_b);
-        located([&] { return element(list, i); }, [&] { joints_.push_back(world.create_joint(def, joint.spec)); });
+        located(joint.place, [&] { return element(list, i); }, [&] { joints_.push_back(world.create_joint(def, joint.spec)); });
+        if (!joint.name.empty()) names_.joints.add(joint.name, joints_.back());
     }
 }
 
 void FilePlayback::before_step(World& world, int step)
 {
-    for (; next_event_ < file_.events.size() && file_.events[next_event_].step <= step; ++next_event_)
-        play(world, file_.events[next_event_], element("events", next_event_));
+    while (is_due(step))
+    {
+        const std::size_t event = next_event_++;
+        play(world, file_.events[event], element("events", event));
+    }
 }
 
 void FilePlayback::play(World& world, const FileEvent& event, const std::string& path)
@@ -134,11 +169,11 @@ void FilePlayback::play(World& world, const FileEvent& event, const std::string&
     create_joints(world, event.create_joints, path + ".create_joints");
     put_to_sleep(world, event.create_bodies, first);
     if (event.set_world && event.set_world->gravity)
-        located([&] { return path + ".set_world"; }, [&] { world.set_gravity(*event.set_world->gravity); });
+        located(event.place, [&] { return path + ".set_world"; }, [&] { world.set_gravity(*event.set_world->gravity); });
     for (std::size_t i = 0; i < event.set_bodies.size(); ++i)
-        located([&] { return element(path + ".set_bodies", i); }, [&] { set(world, event.set_bodies[i]); });
+        located(event.set_bodies[i].place, [&] { return element(path + ".set_bodies", i); }, [&] { set(world, event.set_bodies[i]); });
     for (std::size_t i = 0; i < event.set_joints.size(); ++i)
-        located([&] { return element(path + ".set_joints", i); }, [&] { set(world, event.set_joints[i]); });
+        located(event.set_joints[i].place, [&] { return element(path + ".set_joints", i); }, [&] { set(world, event.set_joints[i]); });
 }
 
 void FilePlayback::destroy(World& world, const FileEvent& event)
@@ -147,12 +182,17 @@ void FilePlayback::destroy(World& world, const FileEvent& event)
     {
         if (world.find_joint(joint(number))) world.destroy_joint(joint(number)); // else it broke
     }
-    for (const int number : event.destroy_bodies) world.destroy_body(body(number));
+    for (const int number : event.destroy_bodies)
+    {
+        if (world.find_body(body(number))) world.destroy_body(body(number)); // else the program destroyed it
+    }
 }
 
 void FilePlayback::set(World& world, const SetBody& set) const
 {
-    Body b = world.body(body(set.body));
+    std::optional<Body> found = world.find_body(body(set.body));
+    if (!found) return; // the program destroyed it
+    Body& b = *found;
     if (set.type) b.set_type(*set.type);
     if (set.position || set.angle) b.set_transform(set.position.value_or(b.position()), set.angle.value_or(b.angle()));
     if (set.linear_velocity) b.set_linear_velocity(*set.linear_velocity);

@@ -33,7 +33,11 @@ public:
     /// Makes what is there at the start, in a world that is made from world_def() and is empty.
     /// @throws SceneFileError when the engine refuses it, as a density for which a mass is too large
     void begin(World& world);
-    /// Makes happen what belongs before a step. Steps are asked for in their order.
+    /// Adds the gravity fields alone; begin() does it too.
+    void add_fields(World& world);
+    /// Makes the bodies and joints of the start alone; begin() does it too.
+    void create_parts(World& world);
+    /// Makes happen what belongs before a step. Steps are asked for in their order. Changes of what is gone are left out.
     void before_step(World& world, int step);
     /// Casts the scene's rays.
     RayResult cast_rays(const World& world);
@@ -42,6 +46,13 @@ public:
     JointId joint(int number) const { return joints_[static_cast<std::size_t>(number)]; } ///< stale when it was destroyed or broke
     int body_count() const { return static_cast<int>(bodies_.size()); }                   ///< made so far
     int joint_count() const { return static_cast<int>(joints_.size()); }                  ///< made so far
+    const std::vector<BodyId>& bodies() const { return bodies_; }                         ///< by number
+    const std::vector<JointId>& joints() const { return joints_; }                        ///< by number
+    const SceneNames& names() const { return names_; }                                    ///< of what was made so far
+    const std::vector<FieldId>& fields() const { return fields_; }                        ///< that add_fields() has added
+    /// Whether before_step() has something to do.
+    bool is_due(int step) const { return has_events_left() && file_.events[next_event_].step <= step; }
+    bool has_events_left() const { return next_event_ < file_.events.size(); }
 
 private:
     void create_bodies(World& world, const std::vector<FileBody>& bodies, const std::string& list);
@@ -52,12 +63,15 @@ private:
     void set(World& world, const SetBody& set) const;
     void set(World& world, const SetJoint& set) const;
     template <class Path, class Action>
-    void located(const Path& path, const Action& action) const;
+    void located(const Place& place, const Path& path, const Action& action) const;
+    void add_shapes(World& world, BodyId id, const FileBody& body, const std::string& list, std::size_t index);
 
     const SceneFile& file_;
     const std::string& name_;
     std::vector<BodyId> bodies_;  ///< by number
     std::vector<JointId> joints_; ///< by number
+    std::vector<FieldId> fields_;
+    SceneNames names_;
     std::size_t next_event_ = 0;
     std::vector<std::optional<RayHit>> hits_;
 };

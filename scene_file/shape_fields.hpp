@@ -132,6 +132,7 @@ struct Fields<FileShape>
     template <class V>
     static void visit(V& v)
     {
+        v("name", &FileShape::name, about("may repeat"));
         v.choice(&FileShape::geometry, {.what = "", .is_required = true});
         v.flat(&FileShape::def);
     }
@@ -161,6 +162,7 @@ struct Fields<FileChain>
     template <class V>
     static void visit(V& v)
     {
+        v("name", &FileChain::name, about("may repeat"));
         v("points", &FileChain::points,
           {.what = "in the body's frame, neighbours at least 1 mm apart [m]", .min = 2, .max = 1e6, .is_required = true});
         v("materials", &FileChain::materials, {.what = "none for the default, one for all segments, or one for each", .max = 1e6});

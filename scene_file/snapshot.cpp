@@ -43,7 +43,45 @@ float exact_angle(Rot q)
     return static_cast<float>(principal);
 }
 
-FileShape shape_from(const ShapeView& shape)
+/// A name as long as a file can hold.
+std::string fitting(std::string_view name)
+{
+    std::size_t end = std::min(name.size(), most_text_bytes);
+    while (end < name.size() && end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end; // not within a character
+    return std::string(name.substr(0, end));
+}
+
+/// Names by id.
+struct Names
+{
+    explicit Names(const SceneNames* given)
+    {
+        if (!given) return;
+        turn_round(given->shapes, shapes);
+        turn_round(given->chains, chains);
+        turn_round(given->joints, joints);
+    }
+
+    std::map<ShapeId, std::string> shapes;
+    std::map<ChainId, std::string> chains;
+    std::map<JointId, std::string> joints;
+
+private:
+    template <class Id>
+    static void turn_round(const NamedIds<Id>& given, std::map<Id, std::string>& names)
+    {
+        for (const auto& [name, id] : given) names.emplace(id, fitting(name));
+    }
+};
+
+template <class Id>
+std::string name_of(Id id, const std::map<Id, std::string>& names)
+{
+    const auto found = names.find(id);
+    return found == names.end() ? std::string() : found->second;
+}
+
+FileShape shape_from(const ShapeView& shape, const Names& names)
 {
     return {.geometry = shape.geometry(),
             .def = {.density = shape.density(),
@@ -55,14 +93,16 @@ FileShape shape_from(const ShapeView& shape)
                     .sensor_events = shape.sensor_events(),
                     .hit_events = shape.hit_events(),
                     .pre_solve = shape.pre_solve(),
-                    .user_data = shape.user_data()}};
+                    .user_data = shape.user_data()},
+            .name = name_of(shape.id(), names.shapes)};
 }
 
-FileChain chain_from(const World& world, const ChainView& chain)
+FileChain chain_from(const World& world, const ChainView& chain, const Names& names)
 {
     const std::vector<ShapeId> segments = chain.segments();
     const ShapeView first = world.shape(segments.front());
     FileChain file;
+    file.name = name_of(chain.id(), names.chains);
     file.def.is_loop = chain.is_loop();
     file.def.sides = chain.sides();
     file.def.filter = first.filter();
@@ -85,7 +125,7 @@ FileChain chain_from(const World& world, const ChainView& chain)
     return file;
 }
 
-FileBody body_from(const World& world, const BodyView& body)
+FileBody body_from(const World& world, const BodyView& body, const Names& names)
 {
     FileBody file{.def = {.type = body.type(),
                           .position = body.position(),
@@ -101,7 +141,7 @@ FileBody body_from(const World& world, const BodyView& body)
                           .is_attractor = body.is_attractor(),
                           .is_enabled = body.is_enabled(),
                           .user_data = body.user_data()},
-                  .name = std::string(body.name()),
+                  .name = fitting(body.name()),
                   .is_awake = body.type() == BodyType::Static || !body.is_enabled() || body.is_awake()};
     if (body.has_own_mass()) file.mass_data = body.mass_data();
     ChainId last;
@@ -109,14 +149,14 @@ FileBody body_from(const World& world, const BodyView& body)
     {
         const ShapeView shape = world.shape(id);
         if (!shape.chain())
-            file.shapes.push_back(shape_from(shape));
+            file.shapes.push_back(shape_from(shape, names));
         else if (shape.chain() != last)
-            file.chains.push_back(chain_from(world, world.chain(last = shape.chain())));
+            file.chains.push_back(chain_from(world, world.chain(last = shape.chain()), names));
     }
     return file;
 }
 
-std::vector<FileJoint> joints_from(const World& world, const std::map<BodyId, int>& numbers)
+std::vector<FileJoint> joints_from(const World& world, const std::map<BodyId, int>& numbers, const Names& names)
 {
     std::vector<FileJoint> joints;
     for (const JointId id : world.joints())
@@ -129,7 +169,8 @@ std::vector<FileJoint> joints_from(const World& world, const std::map<BodyId, in
                                .break_force = joint.break_force(),
                                .break_torque = joint.break_torque(),
                                .user_data = joint.user_data()},
-                       .spec = joint.spec()};
+                       .spec = joint.spec(),
+                       .name = name_of(id, names.joints)};
         if (joint.body_a()) file.body_a = numbers.at(joint.body_a());
         joints.push_back(file);
     }
@@ -146,6 +187,8 @@ std::vector<std::string> losses_of(const World& world)
             "The world had been stepped: its contacts with their impulses, and how long bodies have rested, are not in the file.");
     const auto has_force = [&](BodyId id) { return world.body(id).force() != Vec2{} || world.body(id).torque() != 0; };
     const std::vector<BodyId> bodies = world.bodies();
+    const auto is_cut = [&](BodyId id) { return world.body(id).name().size() > most_text_bytes; };
+    if (std::any_of(bodies.begin(), bodies.end(), is_cut)) notes.emplace_back("Names longer than 64 KiB were cut.");
     if (std::any_of(bodies.begin(), bodies.end(), has_force)) notes.emplace_back("Forces that wait for the next step are not in the file.");
     return notes;
 }
@@ -163,7 +206,7 @@ void compare(SceneFile& file, const World& world)
         "than that of the file, or some were destroyed before.");
 }
 
-SceneFile parts_of(const World& world)
+SceneFile parts_of(const World& world, const Names& names)
 {
     SceneFile file;
     file.world = {.gravity = world.gravity(),
@@ -177,18 +220,18 @@ SceneFile parts_of(const World& world)
     for (const BodyId id : world.bodies())
     {
         numbers.emplace(id, static_cast<int>(numbers.size()));
-        file.bodies.push_back(body_from(world, world.body(id)));
+        file.bodies.push_back(body_from(world, world.body(id), names));
     }
-    file.joints = joints_from(world, numbers);
+    file.joints = joints_from(world, numbers, names);
     file.notes = losses_of(world);
     return file;
 }
 
 } // namespace
 
-SceneFile snapshot_of(const World& world)
+SceneFile snapshot_of(const World& world, const SceneNames* names)
 {
-    SceneFile file = parts_of(world);
+    SceneFile file = parts_of(world, Names(names));
     compare(file, world);
     return file;
 }

@@ -11,6 +11,7 @@ namespace carom::scene_file
 /// The bodies, joints, fields and settings of a world as they stand. Of a world that has not been stepped, and whose bodies, shapes and joints were
 /// made in the order of the file and never destroyed, the file plays to the same bits; what it can't hold is said in its notes: hooks, forces
 /// that wait for the next step, and of a world that has been stepped, its contacts with their impulses.
-SceneFile snapshot_of(const World& world);
+/// @param names of shapes, chains and joints; null for none
+SceneFile snapshot_of(const World& world, const SceneNames* names = nullptr);
 
 } // namespace carom::scene_file

@@ -1,12 +1,10 @@
 // Walks the fields of each part and writes those that are not at their defaults.
 #include "scene_file/writer.hpp"
 
+#include "files/output_file.hpp"
 #include "scene_file/check.hpp"
 #include "scene_file/json_values.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <type_traits>
@@ -89,11 +87,20 @@ std::string scene_file_text(const SceneFile& file)
 
 void write_scene_file(const std::filesystem::path& path, const SceneFile& file)
 {
-    errno = 0;
-    std::ofstream out(path, std::ios::binary);
-    if (out) write_scene_file(out, file);
-    out.close();
-    if (!out) throw SceneFileError("can't write \"" + path.string() + "\": " + std::strerror(errno));
+    try
+    {
+        files::OutputFile out("", path == "-" ? "./-" : path); // a library does not print
+        write_scene_file(out.stream(), file);
+        out.commit();
+    }
+    catch (const files::FileError& error)
+    {
+        const std::string_view text = error.what(); // can't write "level.json": No space left on device
+        const std::size_t reason = text.find("\": ");
+        throw SceneFileError(
+            {.source = path.string(),
+             .message = "can't be written: " + std::string(reason == std::string_view::npos ? text : text.substr(reason + 3))});
+    }
 }
 
 } // namespace carom::scene_file

@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-TOP_FOLDERS = "include|src|support|scene_file|scenes|lab|cli|gallery|tests|docs|cmake|tools|\\.ci"
+TOP_FOLDERS = "include|src|files|support|scene_file|scenes|lab|cli|gallery|tests|docs|cmake|tools|\\.ci"
 REPOSITORY_PATH = re.compile(rf"`((?:{TOP_FOLDERS})/[\w./*+-]*)`")
 RELATIVE_LINK = re.compile(r"\]\((?!\w+:|#)([^)#\s]+)")
 COMPILE_FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off"]
@@ -70,7 +70,7 @@ class Checker:
     def __init__(self, root, build):
         self.root = root
         self.build = root / build
-        libraries = [self.build / "lib" / f"lib{name}.a" for name in ("carom_lab", "carom_scenes", "carom_scene_file", "carom")]
+        libraries = [self.build / "lib" / f"lib{name}.a" for name in ("carom_lab", "carom_scenes", "carom_scene_file", "carom_files", "carom")]
         self.libraries = [str(library) for library in libraries if library.exists()]
         self.tested_cmake = [f.read_text() for f in sorted((root / "tests/install").rglob("CMakeLists.txt"))]
 
