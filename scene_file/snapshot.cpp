@@ -51,6 +51,9 @@ std::string fitting(std::string_view name)
     return std::string(name.substr(0, end));
 }
 
+/// A speed that can be given to a body; a step can lead to a larger one.
+float within_limit(float speed) { return std::clamp(speed, -max_speed, max_speed); }
+
 /// Names by id.
 struct Names
 {
@@ -130,8 +133,8 @@ FileBody body_from(const World& world, const BodyView& body, const Names& names)
     FileBody file{.def = {.type = body.type(),
                           .position = body.position(),
                           .angle = exact_angle(body.transform().q),
-                          .linear_velocity = body.linear_velocity(),
-                          .angular_velocity = body.angular_velocity(),
+                          .linear_velocity = {within_limit(body.linear_velocity().x), within_limit(body.linear_velocity().y)},
+                          .angular_velocity = within_limit(body.angular_velocity()),
                           .linear_damping = body.linear_damping(),
                           .angular_damping = body.angular_damping(),
                           .gravity_scale = body.gravity_scale(),
@@ -187,6 +190,12 @@ std::vector<std::string> losses_of(const World& world)
             "The world had been stepped: its contacts with their impulses, and how long bodies have rested, are not in the file.");
     const auto has_force = [&](BodyId id) { return world.body(id).force() != Vec2{} || world.body(id).torque() != 0; };
     const std::vector<BodyId> bodies = world.bodies();
+    const auto is_too_fast = [&](BodyId id)
+    {
+        const Vec2 v = world.body(id).linear_velocity();
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(world.body(id).angular_velocity())}) > max_speed;
+    };
+    if (std::any_of(bodies.begin(), bodies.end(), is_too_fast)) notes.emplace_back("Speeds above 1,000,000 m/s or rad/s were cut.");
     const auto is_cut = [&](BodyId id) { return world.body(id).name().size() > most_text_bytes; };
     if (std::any_of(bodies.begin(), bodies.end(), is_cut)) notes.emplace_back("Names longer than 64 KiB were cut.");
     if (std::any_of(bodies.begin(), bodies.end(), has_force)) notes.emplace_back("Forces that wait for the next step are not in the file.");

@@ -163,6 +163,7 @@ struct SceneSaveResult
 SceneSaveResult save_scene(const World& world, const std::filesystem::path& path, const SceneSaveOptions& options = {});
 SceneSaveResult save_scene(const World& world, std::ostream& stream, const SceneSaveOptions& options = {});
 /// What save_scene() would write.
+/// @throws std::runtime_error with the text of the problem where save_scene() would return one
 std::string scene_text(const World& world, const SceneSaveOptions& options = {});
 
 // All that is wrong with a file, in its order, and empty when load_scene() would load it. After a syntax error the rest can't be read.
