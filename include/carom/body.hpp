@@ -26,7 +26,7 @@ enum class BodyType
     Dynamic    ///< moves by forces and contacts; when its shapes have no mass it counts as 1 kg that does not turn
 };
 
-/// Largest speed that calls accept [m/s], and largest spin [rad/s]. Rates, scales and accelerations are accepted up to 1e6 too.
+/// Largest coordinate of a velocity [m/s] and largest spin [rad/s] that calls accept; a step slows down what has become faster. Rates, scales and accelerations are accepted up to 1e6 too.
 inline constexpr float max_speed = 1e6f;
 
 /// Directions in which a dynamic body can't move; others do not heed them.

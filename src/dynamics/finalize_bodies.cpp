@@ -92,6 +92,18 @@ bool is_sound(const BodyPose& pose, const BodyMotion& motion)
     return is_good(pose.center) && is_good(motion.v) && is_good(motion.w) && is_good(Vec2{pose.transform.q.c, pose.transform.q.s});
 }
 
+/// Calls accept nothing faster, so a step leaves nothing faster: each state of a world can be made again.
+void limit_speed(BodyMotion& motion)
+{
+    const float fastest = std::max(std::abs(motion.v.x), std::abs(motion.v.y));
+    if (fastest > max_speed)
+    {
+        const Vec2 v = (max_speed / fastest) * motion.v;
+        motion.v = {std::clamp(v.x, -max_speed, max_speed), std::clamp(v.y, -max_speed, max_speed)}; // rounding may lead beyond
+    }
+    motion.w = std::clamp(motion.w, -max_speed, max_speed);
+}
+
 /// Whether the body is slow, and has hardly moved since it became so.
 bool is_at_rest(BodyWatch& watch, const BodyMotion& motion, const Sweep& sweep, float dt, float sleep_speed)
 {
@@ -136,6 +148,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
             lost.push_back({motion.slot, has_values ? QuarantineReason::LeftWorld : QuarantineReason::NotFinite});
             continue;
         }
+        limit_speed(motion);
         pose = next;
         const bool rests = is_at_rest(watch, motion, sweep, dt, sleep_speed) && watch.can_sleep && !watch.is_driven;
         watch.rest_time = rests ? watch.rest_time + dt : 0;

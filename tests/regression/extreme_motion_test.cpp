@@ -19,6 +19,24 @@ TEST(Regression, the_fastest_spin_that_calls_accept_survives_the_longest_step)
     EXPECT_NEAR(q.c * q.c + q.s * q.s, 1, 1e-5);
 }
 
+TEST(Regression, a_step_leaves_no_body_faster_than_calls_accept)
+{
+    World world({.gravity = {}});
+    const BodyId id = world.create_body({}, box(1, 1));
+    Body body = world.body(id);
+    const float mass = body.mass_data().mass;
+    body.apply_impulse_to_center(mass * Vec2{-4e6f, 2e6f});
+    body.apply_angular_impulse(-3e6f * body.mass_data().inertia);
+    ASSERT_LT(body.angular_velocity(), -max_speed);
+
+    ASSERT_TRUE(world.step(1 / 60.0f).quarantined.empty());
+    EXPECT_EQ(body.linear_velocity().x, -max_speed);
+    EXPECT_NEAR(body.linear_velocity().y, max_speed / 2, 1);
+    EXPECT_EQ(body.angular_velocity(), -max_speed);
+    World again;
+    again.create_body({.position = body.position(), .linear_velocity = body.linear_velocity(), .angular_velocity = body.angular_velocity()});
+}
+
 TEST(Regression, a_kinematic_body_keeps_its_velocity_when_a_lost_body_hits_it)
 {
     World world;
