@@ -83,21 +83,30 @@ std::string printable(std::string_view text)
     return escaped(text, [](std::uint32_t c) { return c == '\n' || c == '\t'; });
 }
 
-std::string quoted(const std::filesystem::path& name)
+std::string printable_line(std::string_view text)
 {
     std::string marked;
-    for (const char c : name.native())
+    for (const char c : text)
     {
-        if (c == '"' || c == '\\')
-            (marked += '\\') += c;
-        else if (c == '\n')
+        if (c == '\n')
             marked += "\\n";
         else if (c == '\t')
             marked += "\\t";
         else
             marked += c;
     }
-    return '"' + escaped(marked, [](std::uint32_t) { return false; }) + '"';
+    return escaped(marked, [](std::uint32_t) { return false; });
+}
+
+std::string quoted(const std::filesystem::path& name)
+{
+    std::string marked;
+    for (const char c : name.native())
+    {
+        if (c == '"' || c == '\\') marked += '\\';
+        marked += c;
+    }
+    return '"' + printable_line(marked) + '"';
 }
 
 } // namespace carom::files

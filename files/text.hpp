@@ -12,6 +12,9 @@ namespace carom::files
 /// characters that reorder a line (bidirectional controls, U+2028, U+2029), and bytes that are not UTF-8 (\xff). Line feeds and tabs stay.
 std::string printable(std::string_view text);
 
+/// The same on one line: line feeds and tabs are escaped too, as \n and \t.
+std::string printable_line(std::string_view text);
+
 /// A name or a path in double quotes for a message: as printable(), and line feeds, tabs, quotes and backslashes are escaped too, so that a name
 /// can't pass for another line or end its quotes.
 std::string quoted(const std::filesystem::path& name);

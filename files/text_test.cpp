@@ -39,6 +39,12 @@ TEST(Printable, marks_bytes_that_are_no_utf_8)
     EXPECT_EQ(printable("\x80"), "\\x80");
 }
 
+TEST(PrintableLine, escapes_what_would_begin_another_line)
+{
+    EXPECT_EQ(printable_line("a\nb\tc \x1b\xff \\n"), "a\\nb\\tc \\x1b\\xff \\n");
+    EXPECT_EQ(printable_line("\xc3\xa4"), "\xc3\xa4");
+}
+
 TEST(Quoted, a_name_is_one_line_and_can_not_end_its_quotes)
 {
     EXPECT_EQ(quoted("a b.png"), "\"a b.png\"");

@@ -3,6 +3,8 @@
 
 #include "files/text.hpp"
 
+#include <array>
+#include <cstdio>
 #include <utility>
 
 namespace carom::scene_file
@@ -11,10 +13,17 @@ namespace carom::scene_file
 std::string shortened(std::string_view text)
 {
     constexpr std::size_t most = 200;
-    if (text.size() <= most) return files::printable(text);
+    if (text.size() <= most) return files::printable_line(text);
     std::size_t end = most;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not within a character
-    return files::printable(text.substr(0, end)) + "...";
+    return files::printable_line(text.substr(0, end)) + "...";
+}
+
+std::string number_text(double value)
+{
+    std::array<char, 40> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%.7g", value);
+    return buffer.data();
 }
 
 std::string Scalar::shown() const
