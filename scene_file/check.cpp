@@ -1,8 +1,8 @@
 // Walks a scene from its first step to its last with no more than the numbers of what is there.
 #include "scene_file/check.hpp"
 
-#include "files/text.hpp"
 #include "scene_file/fields.hpp"
+#include "scene_file/reading.hpp"
 #include "support/text.hpp"
 
 #include <algorithm>
@@ -230,8 +230,21 @@ private:
             fail(body.place, path + ".angular_velocity", "is not 0", "a static body does not move; make it kinematic, or leave it out");
         if (is_static && !body.is_awake)
             fail(body.place, path + ".is_awake", "is false", "a static body neither wakes nor sleeps; leave it out");
+        for (std::size_t i = 0; i < body.shapes.size(); ++i) check_shape(body.shapes[i], path + "." + element("shapes", i));
         for (std::size_t i = 0; i < body.chains.size(); ++i) add_chain(body.chains[i], path + "." + element("chains", i));
         shapes_ += body.shapes.size();
+    }
+
+    void check_shape(const FileShape& shape, const std::string& path) const
+    {
+        try
+        {
+            static_cast<void>(transformed(shape.geometry, {}, file_.world.length_unit));
+        }
+        catch (const UsageError& error)
+        {
+            fail(shape.place, path + "." + error.field(), "is " + error.value(), error.remedy());
+        }
     }
 
     void add_chain(const FileChain& chain, const std::string& path)
@@ -326,7 +339,7 @@ private:
 
     [[noreturn]] void too_many(const std::string& things, int most) const
     {
-        fail({}, "", "the file holds more than " + std::to_string(most) + " " + things, "make the scene smaller");
+        fail(file_.place, "", "the file holds more than " + std::to_string(most) + " " + things, "make the scene smaller");
     }
     /// @param place of the part in which the field lies
     [[noreturn]] void fail(const Place& place, std::string field, const std::string& problem, const std::string& remedy) const
@@ -346,20 +359,24 @@ private:
 
 void check_needs(const SceneFile& file, const std::string& name)
 {
+    const auto fail = [&](std::string message)
+    {
+        throw SceneFileError({.source = name,
+                              .line = file.place.line,
+                              .column = file.place.column,
+                              .field = "needs",
+                              .message = std::move(message)});
+    };
     const std::vector<std::string> known(words.begin(), words.end());
     for (const std::string& need : file.needs)
     {
         if (std::find(known.begin(), known.end(), need) == known.end())
-            throw SceneFileError(
-                {.source = name,
-                 .field = "needs",
-                 .message = "names \"" + files::printable(need) + "\", which is no feature; " + support::suggestion(need, known)});
+            fail("names \"" + shortened(need) + "\", which is no feature; " + support::suggestion(need, known));
     }
     for (const std::string& need : needs_of(file))
     {
         if (std::find(file.needs.begin(), file.needs.end(), need) == file.needs.end())
-            throw SceneFileError(
-                {.source = name, .field = "needs", .message = "leaves out \"" + need + "\"; add it, or leave out needs as a whole"});
+            fail("leaves out \"" + need + "\"; add it, or leave out needs as a whole");
     }
 }
 

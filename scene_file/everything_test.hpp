@@ -101,6 +101,8 @@ inline SceneFile everything()
                   .solver = {20, 5, 2, 0.5f, 40, 3, false},
                   .mixing = {Mix::Minimum, Mix::Average},
                   .hit_speed = 2,
+                  .length_unit = 0.5f,
+                  .max_pairs = 1000,
                   .fields = {UniformField{{0.1f, 0.2f}}, PointField{{1, 2}, 3, 0.5f},
                              NBodyField{0.1f, 0.2f, NBodyMethod::Direct, NBodySources::Attractors, 0.7f}}};
     FileBody still{.def = {.type = BodyType::Kinematic, .position = {5, 5}, .is_enabled = false}};

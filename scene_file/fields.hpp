@@ -87,8 +87,8 @@ struct Fields<SleepTuning>
     static void visit(V& v)
     {
         v("is_enabled", &SleepTuning::is_enabled, about(""));
-        v("speed", &SleepTuning::speed, factor("of no point of the body may be faster", "m/s"));
-        v("time", &SleepTuning::time, factor("for so long", "s"));
+        v("speed", &SleepTuning::speed, factor("speed of the body's fastest point below which it rests", "length units/s"));
+        v("time", &SleepTuning::time, factor("how long it must rest", "s"));
     }
 };
 template <>
@@ -102,8 +102,8 @@ struct Fields<SolverTuning>
         v("contact_hertz", &SolverTuning::contact_hertz, {.what = "stiffness of contacts", .unit = "1/s", .min = 0.01f, .max = any_factor});
         v("contact_damping_ratio", &SolverTuning::contact_damping_ratio, factor(""));
         v("push_out_speed", &SolverTuning::push_out_speed,
-          {.what = "most speed at which overlap is undone", .unit = "m/s", .min = 0.0001f, .max = any_factor});
-        v("restitution_threshold", &SolverTuning::restitution_threshold, factor("slower approaches do not bounce", "m/s"));
+          {.what = "most speed at which overlap is undone", .unit = "length units/s", .min = 0.0001f, .max = any_factor});
+        v("restitution_threshold", &SolverTuning::restitution_threshold, factor("slower approaches do not bounce", "length units/s"));
         v("joint_hertz", &SolverTuning::joint_hertz,
           {.what = "how fast joints undo their errors", .unit = "1/s", .min = 0.01f, .max = any_factor});
         v("joint_damping_ratio", &SolverTuning::joint_damping_ratio, factor(""));
@@ -179,7 +179,11 @@ struct Fields<FileWorld>
         v("sleep", &FileWorld::sleep, about(""));
         v("solver", &FileWorld::solver, about(""));
         v("mixing", &FileWorld::mixing, about(""));
-        v("hit_speed", &FileWorld::hit_speed, factor("slower collisions are not reported as hits", "m/s"));
+        v("hit_speed", &FileWorld::hit_speed, factor("slower collisions are not reported as hits", "length units/s"));
+        v("length_unit", &FileWorld::length_unit,
+          {.what = "typical size of a body; Carom's tolerances are shares of it", .unit = "m", .min = min_length_unit, .max = max_length_unit});
+        v("max_pairs", &FileWorld::max_pairs,
+          {.what = "most pairs of near shapes before a step is refused; 0 lets the engine choose", .min = 0, .max = 1 << 30});
         v("fields", &FileWorld::fields, {.what = "gravity fields, each under its kind: uniform, point, n_body", .max = 1000});
     }
 };

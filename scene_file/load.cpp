@@ -2,6 +2,7 @@
 #include "scene_file/check.hpp"
 #include "scene_file/player.hpp"
 #include "scene_file/reader.hpp"
+#include "scene_file/reading.hpp"
 
 #include <carom/scene_file.hpp>
 
@@ -47,9 +48,11 @@ void require_idle(World& world, const char* function)
 
 /// Builds the scene in a world of its own and lets all its events happen, so that what the engine refuses is found without harm.
 /// @throws SceneFileError
-void rehearse(const SceneFile& file, const std::string& name)
+void rehearse(const SceneFile& file, const std::string& name, float length_unit)
 {
-    World world(FilePlayback::world_def(file));
+    WorldDef def = FilePlayback::world_def(file);
+    def.length_unit = length_unit;
+    World world(def);
     FilePlayback playback(file, name);
     playback.begin(world);
     playback.before_step(world, most_file_steps);
@@ -62,10 +65,12 @@ FileWorld settings_of(const World& world)
             .sleep = world.sleep_tuning(),
             .solver = world.solver_tuning(),
             .mixing = world.mixing(),
-            .hit_speed = world.hit_speed()};
+            .hit_speed = world.hit_speed(),
+            .length_unit = world.length_unit(),
+            .max_pairs = world.max_pairs()};
 }
 
-/// All but the fields. What stays the same is not set, since some of these calls wake bodies.
+/// All but the length unit, which no world changes, and the fields. What stays the same is not set, since some of these calls wake bodies.
 void set_settings(World& world, const FileWorld& to)
 {
     if (world.gravity() != to.gravity) world.set_gravity(to.gravity);
@@ -74,6 +79,7 @@ void set_settings(World& world, const FileWorld& to)
     if (world.solver_tuning() != to.solver) world.set_solver_tuning(to.solver);
     if (world.mixing() != to.mixing) world.set_mixing(to.mixing);
     if (world.hit_speed() != to.hit_speed) world.set_hit_speed(to.hit_speed);
+    if (world.max_pairs() != to.max_pairs) world.set_max_pairs(to.max_pairs);
 }
 
 void remove_parts(World& world, const FilePlayback& playback)
@@ -110,7 +116,7 @@ std::vector<SceneProblem> validate(BlockSource source, std::string_view name, in
     TextInput input(std::move(source), std::string(name));
     ReadResult result = read(input, most);
     if (result.problems.empty()) result.problems = problems_of(result.file, input.name(), most);
-    if (result.problems.empty()) rehearse(result.file, input.name());
+    if (result.problems.empty()) rehearse(result.file, input.name(), result.file.world.length_unit);
     return std::move(result.problems);
 }
 
@@ -143,7 +149,8 @@ public:
         {
             TextInput input(make_source(), std::move(name));
             SceneFile file = read_checked(input);
-            rehearse(file, input.name());
+            if (options_.settings) require_length_unit(file, input.name());
+            rehearse(file, input.name(), world_.length_unit());
             return {.scene = loaded(std::move(file), input.name()), .problem = {}};
         }
         catch (const SceneFileError& error)
@@ -153,6 +160,19 @@ public:
     }
 
 private:
+    void require_length_unit(const SceneFile& file, const std::string& name) const
+    {
+        if (file.world.length_unit == world_.length_unit()) return;
+        const Place place = file.world.place.line > 0 ? file.world.place : file.place;
+        throw SceneFileError({.source = name,
+                              .line = place.line,
+                              .column = place.column,
+                              .field = "world.length_unit",
+                              .message = "is " + number_text(double{file.world.length_unit}) + ", and the world was made with " +
+                                         number_text(double{world_.length_unit()}) +
+                                         "; make the world with the file's, or load without the settings"});
+    }
+
     LoadedScene loaded(SceneFile file, const std::string& name) const
     {
         LoadedScene scene;
@@ -181,9 +201,12 @@ LoadedScene& LoadedScene::operator=(LoadedScene&&) noexcept = default;
 void LoadedScene::take_what_was_made()
 {
     const FilePlayback& playback = events_->playback;
-    names = playback.names();
-    bodies = playback.bodies();
-    joints = playback.joints();
+    if (bodies.size() < playback.bodies().size() || joints.size() < playback.joints().size())
+    {
+        names = playback.names();
+        bodies = playback.bodies();
+        joints = playback.joints();
+    }
     if (!playback.has_events_left()) events_.reset();
 }
 

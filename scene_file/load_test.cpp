@@ -82,6 +82,43 @@ TEST(LoadScene, adds_to_what_is_there_and_leaves_settings_alone_when_asked)
     EXPECT_TRUE(world.find_body(own));
 }
 
+TEST(LoadScene, takes_the_settings_of_the_file)
+{
+    World world({.length_unit = 0.01f});
+    const char* const text = R"({"carom_scene": 1, "bodies": [{"shapes": [{"segment": {"p1": [0, 0], "p2": [0.0001, 0]}},
+        {"polygon": {"vertices": [[0, 0], [0.0001, 0], [0, 0.0001]]}}]}],
+        "world": {"length_unit": 0.01, "max_pairs": 7, "hit_speed": 3, "continuous": false}})";
+    const SceneLoadResult result = load_scene_text(world, text);
+    ASSERT_TRUE(result) << result.problem.text();
+    EXPECT_EQ(world.max_pairs(), 7);
+    EXPECT_EQ(world.hit_speed(), 3);
+    EXPECT_FALSE(world.is_continuous());
+    const std::string saved = scene_text(world);
+    EXPECT_TRUE(validate_scene_text(saved).empty()) << saved;
+    World again({.length_unit = 0.01f});
+    ASSERT_TRUE(load_scene_text(again, saved));
+    EXPECT_EQ(again.hash(), world.hash());
+}
+
+TEST(LoadScene, refuses_another_length_unit_than_the_world_s)
+{
+    const std::string scene = R"({"carom_scene": 1,
+"world": {"length_unit": 0.01}, "bodies": [{"shapes": [{"circle": {"radius": 0.1}}]}]})";
+    EXPECT_EQ(problem_with(scene), "level.json:2:10: world.length_unit is 0.01, and the world was made with 1; "
+                                   "make the world with the file's, or load without the settings");
+    World world;
+    ASSERT_TRUE(load_scene_text(world, scene, {.settings = false}));
+    EXPECT_EQ(world.body_count(), 1);
+
+    // Without its own unit, a file is for worlds of 1. What is loaded without settings must be large enough for the world that is there.
+    World ships({.length_unit = 100});
+    const std::uint64_t before = ships.hash();
+    const std::string small = R"({"carom_scene": 1, "bodies": [{"shapes": [{"segment": {"p1": [0, 0], "p2": [0.05, 0]}}]}]})";
+    EXPECT_EQ(load_scene_text(ships, small).problem.field, "world.length_unit");
+    EXPECT_EQ(load_scene_text(ships, small, {.settings = false}).problem.field, "bodies[0].shapes[0].segment.p2");
+    EXPECT_EQ(ships.hash(), before);
+}
+
 TEST(LoadScene, refuses_with_place_and_path_and_changes_nothing)
 {
     EXPECT_EQ(problem_with("{\"carom_scene\": 1,\n\"bodies\": [{}, {\"shapes\": [{\"circle\": {\"radius\": -1}}]}]}"),

@@ -142,8 +142,11 @@ struct FileWorld
     SleepTuning sleep = {};
     SolverTuning solver = {};
     MaterialMixing mixing = {};
-    float hit_speed = 1; ///< [m/s]
+    float hit_speed = 1;   ///< [length units/s]
+    float length_unit = 1; ///< [m]
+    int max_pairs = 0;     ///< 0 lets the world choose
     std::vector<Field> fields = {};
+    Place place = {};
 };
 
 using FileView = SceneView;

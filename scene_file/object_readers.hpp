@@ -241,32 +241,6 @@ protected:
     std::string remedy(const Slot&) const override { return "write {\"carom_scene\": 1, ...}"; }
 };
 
-/// Does something that checks a shape; what the engine refuses is said of the object that the parser is in.
-template <class Action>
-void checked(Reading& reading, std::string_view prefix, const Action& action)
-{
-    try
-    {
-        action();
-    }
-    catch (const UsageError& error)
-    {
-        const std::string& field = error.field();
-        reading.fail_inside(field.starts_with(prefix) ? field.substr(prefix.size()) : field, "is " + error.value(), error.remedy());
-    }
-}
-
-template <>
-class ReaderOf<FileShape> : public FieldsReader<FileShape>
-{
-public:
-    void end(Reading& reading, Frame& frame) const override
-    {
-        FieldsReader::end(reading, frame);
-        if (!frame.has_problem) checked(reading, "", [&] { aabb_of(object(reading, frame.slot).geometry, {}); });
-    }
-};
-
 template <>
 class ReaderOf<Polygon> : public FieldsReader<PolygonFields>
 {
@@ -284,11 +258,34 @@ public:
         const PolygonFields& fields = reading.polygon;
         if (!fields.normals.empty() && fields.normals.size() != fields.vertices.size())
             reading.fail_inside("normals", "are " + std::to_string(fields.normals.size()), "give one for each vertex, or none");
-        checked(reading, "polygon.", [&] { *static_cast<Polygon*>(frame.slot.value) = polygon_from(fields); });
+        try
+        {
+            *static_cast<Polygon*>(frame.slot.value) = polygon_in_any_world(reading, fields);
+        }
+        catch (const UsageError& error)
+        {
+            const std::string& field = error.field();
+            constexpr std::string_view prefix = "polygon.";
+            reading.fail_inside(field.starts_with(prefix) ? field.substr(prefix.size()) : field, "is " + error.value(), error.remedy());
+        }
     }
 
 protected:
     PolygonFields& object(Reading& reading, const Slot&) const override { return reading.polygon; }
+
+private:
+    /// The file may give its length unit later, so that only what no world accepts is refused here, in the words of the unit that is known.
+    static Polygon polygon_in_any_world(const Reading& reading, const PolygonFields& fields)
+    {
+        try
+        {
+            return polygon_from(fields, min_length_unit);
+        }
+        catch (const UsageError&)
+        {
+            return polygon_from(fields, reading.length_unit());
+        }
+    }
 };
 
 /// A gravity field: an object whose only field says which kind it is.

@@ -49,11 +49,13 @@ WorldDef FilePlayback::world_def(const SceneFile& file)
 {
     const FileWorld& world = file.world;
     return {.gravity = world.gravity,
+            .length_unit = world.length_unit,
             .solver = world.solver,
             .sleep = world.sleep,
             .continuous = world.continuous,
             .mixing = world.mixing,
-            .hit_speed = world.hit_speed};
+            .hit_speed = world.hit_speed,
+            .max_pairs = world.max_pairs};
 }
 
 /// Does something to the world; what the engine refuses of it is reported with its place in the file.

@@ -20,15 +20,7 @@ bool is_centered_box(const std::vector<Vec2>& v)
            are_same_bits(v[3], {-v[2].x, v[2].y});
 }
 
-/// A place for the centroid that any check of the engine's accepts.
-Vec2 mean(const std::vector<Vec2>& points)
-{
-    Vec2 sum;
-    for (const Vec2 p : points) sum += (1 / static_cast<float>(points.size())) * p;
-    return sum;
-}
-
-Polygon derived(const std::vector<Vec2>& vertices, float radius)
+Polygon derived(const std::vector<Vec2>& vertices, float radius, float length_unit)
 {
     Polygon polygon;
     polygon.count = static_cast<int>(vertices.size());
@@ -41,20 +33,20 @@ Polygon derived(const std::vector<Vec2>& vertices, float radius)
     }
     for (std::size_t i = 0; i < vertices.size(); ++i)
         polygon.normals[i] = normalize(right_perp(vertices[(i + 1) % vertices.size()] - vertices[i]));
-    polygon.centroid = mean(vertices);
-    polygon = std::get<Polygon>(transformed(polygon, {}));                 // checks it, and makes normals and centroid anew
+    polygon.centroid = vertices.front(); // any place within will do: the next line makes it anew
+    polygon = std::get<Polygon>(transformed(polygon, {}, length_unit));
     std::copy(vertices.begin(), vertices.end(), polygon.vertices.begin()); // -0 stays -0
     return polygon;
 }
 
 } // namespace
 
-Polygon polygon_from(const PolygonFields& fields)
+Polygon polygon_from(const PolygonFields& fields, float length_unit)
 {
-    Polygon polygon = derived(fields.vertices, fields.radius);
+    Polygon polygon = derived(fields.vertices, fields.radius, length_unit);
     std::copy(fields.normals.begin(), fields.normals.end(), polygon.normals.begin());
     if (fields.centroid) polygon.centroid = *fields.centroid;
-    static_cast<void>(transformed(polygon, {})); // checks all of it
+    static_cast<void>(transformed(polygon, {}, length_unit)); // checks all of it
     return polygon;
 }
 
@@ -62,7 +54,7 @@ PolygonFields fields_of(const Polygon& polygon)
 {
     const auto count = static_cast<std::ptrdiff_t>(polygon.count);
     PolygonFields fields{.vertices = {polygon.vertices.begin(), polygon.vertices.begin() + count}, .radius = polygon.radius};
-    const Polygon plain = derived(fields.vertices, fields.radius);
+    const Polygon plain = derived(fields.vertices, fields.radius, min_length_unit);
     const auto same = [](Vec2 a, Vec2 b) { return are_same_bits(a, b); };
     if (!std::equal(polygon.normals.begin(), polygon.normals.begin() + count, plain.normals.begin(), same))
         fields.normals.assign(polygon.normals.begin(), polygon.normals.begin() + count);

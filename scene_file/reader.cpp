@@ -40,7 +40,7 @@ public:
           file_(file),
           problems_(problems),
           most_(static_cast<std::size_t>(most)),
-          reading_(input.name())
+          reading_(input.name(), file.world)
     {
     }
 

@@ -90,9 +90,8 @@ TEST(SceneFileReader, names_the_place_the_value_and_what_is_expected)
     EXPECT_EQ(problem_of(with_shape(R"({"segment": {"p1": [1, 0], "p2": [1, 0]}})")),
               "scene.json:1:43: bodies[0].shapes[0].segment.p2 is (1, 0); give ends that are at least 1 mm apart");
     EXPECT_EQ(problem_of(with_shape(R"({"polygon": {"vertices": [[0, 0], [1, 1], [1, 0]]}})")),
-              "scene.json:1:55: bodies[0].shapes[0].polygon.vertices[2] is (1, 0); give the corners of a convex polygon counter-clockwise, "
-              "or use "
-              "convex_hull()");
+              "scene.json:1:55: bodies[0].shapes[0].polygon.vertices[2] is (1, 0); "
+              "give the corners of a convex polygon counter-clockwise, or use convex_hull()");
     EXPECT_EQ(problem_of(R"({"carom_scene": 2})"),
               "scene.json:1:17: carom_scene is 2; give 1, the version of the format that this program reads");
     EXPECT_EQ(problem_of("{}"), "scene.json:1:1: the file has no field \"carom_scene\"; add it");
@@ -128,9 +127,9 @@ TEST(SceneFileReader, refuses_numbers_that_name_nothing)
               "scene.json:1:139: events[1].destroy_joints[0] is 0; that joint was destroyed before");
     EXPECT_EQ(problem_of(joined + R"("events": [{"step": 1, "set_joints": [{"joint": 0, "motor_speed": 1}]}]})"),
               "scene.json:1:130: events[0].set_joints[0].motor_speed does not fit; joint 0 is a weld joint, which has no motor");
-    EXPECT_EQ(problem_of(start + R"("needs": ["rais"]})"), "scene.json: needs names \"rais\", which is no feature; did you mean rays?");
+    EXPECT_EQ(problem_of(start + R"("needs": ["rais"]})"), "scene.json:1:1: needs names \"rais\", which is no feature; did you mean rays?");
     EXPECT_EQ(problem_of(start + R"("needs": ["rays"], "events": [{"step": 0}]})"),
-              "scene.json: needs leaves out \"events\"; add it, or leave out needs as a whole");
+              "scene.json:1:1: needs leaves out \"events\"; add it, or leave out needs as a whole");
 }
 
 TEST(SceneFileReader, refuses_what_is_nested_too_deeply)

@@ -26,6 +26,8 @@ struct Slot
 
 /// Enough of a text to recognise it in a message, safe to print.
 std::string shortened(std::string_view text);
+/// A number as it would be written by hand.
+std::string number_text(double value);
 
 /// A value that is neither an object nor a list.
 struct Scalar
@@ -92,12 +94,15 @@ inline constexpr std::size_t total_count = 6;
 class Reading
 {
 public:
-    explicit Reading(std::string name) : name_(std::move(name)) {}
+    /// @param world of the file, as far as it was read
+    Reading(std::string name, const FileWorld& world) : world_(world), name_(std::move(name)) {}
 
     std::vector<Frame> frames;
     Place place = {};           ///< of what is looked at
     PolygonFields polygon = {}; ///< of the polygon that is being read
 
+    /// Of the world, as far as is known: it may come after the bodies [m].
+    float length_unit() const { return world_.length_unit; }
     /// Adds an element to one of the lists whose lengths are limited in sum.
     void count(const Total& total);
     /// Refuses the value that is read.
@@ -115,6 +120,7 @@ public:
 private:
     [[noreturn]] void fail_at(std::string path, const std::string& problem, const std::string& remedy) const;
 
+    const FileWorld& world_;
     std::string name_;
     std::size_t counts_[total_count] = {};
 };

@@ -223,7 +223,9 @@ SceneFile parts_of(const World& world, const Names& names)
                   .sleep = world.sleep_tuning(),
                   .solver = world.solver_tuning(),
                   .mixing = world.mixing(),
-                  .hit_speed = world.hit_speed()};
+                  .hit_speed = world.hit_speed(),
+                  .length_unit = world.length_unit(),
+                  .max_pairs = world.max_pairs()};
     for (const FieldId field : world.fields()) file.world.fields.push_back(world.field(field));
     std::map<BodyId, int> numbers;
     for (const BodyId id : world.bodies())

@@ -123,7 +123,7 @@ bool TextInput::skipped_spaces()
 void TextInput::advance()
 {
     const char c = block_[next_++];
-    if (c == '\0') fail(here_, "holds a NUL byte; a scene file is text");
+    if (c == '\0') fail(here_, "syntax error: a NUL byte; a scene file is text");
     last_ = here_;
     if (!is_in_string_)
         follow_outside(c);

@@ -5,10 +5,8 @@
 #include "support/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -26,13 +24,6 @@ Slot slot_of(T& value, const Rule& rule)
 {
     static const ReaderOf<T> reader;
     return {&reader, &value, rule};
-}
-
-inline std::string number_text(double value)
-{
-    std::array<char, 40> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "%.7g", value);
-    return buffer.data();
 }
 
 inline std::string unit_text(const Rule& rule) { return *rule.unit ? std::string(" [") + rule.unit + "]" : ""; }

@@ -113,8 +113,9 @@ private:
 
 struct SceneLoadOptions
 {
-    /// Whether the world takes what the file says of the whole world: gravity, gravity fields (added to those it has), sleep, solver, mixing,
-    /// continuous, hit speed. Without, only bodies and joints are added, as for a part that is placed into a level.
+    /// Whether the world takes the settings of the file: gravity, gravity fields (added to those it has), sleep, solver, mixing, continuous,
+    /// hit_speed, max_pairs. A world can't change its length_unit: a file with another one is refused. Without settings, only bodies and joints
+    /// are added, as for a part that is placed into a level.
     bool settings = true;
     std::string_view name = "scene"; ///< stands for the path in messages about a stream or a text
 };

@@ -1,8 +1,8 @@
 // Scene files that were spoilt in every way: each is loaded and plays, or is refused and leaves the world as it was.
-#include "scenes/random.hpp"
-
+#include "files/text.hpp"
 #include "scene_file/everything_test.hpp"
 #include "scene_file/writer.hpp"
+#include "scenes/random.hpp"
 
 #include <carom/scene_file.hpp>
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ private:
 TEST(SceneFiles, spoilt_ones_are_loaded_or_refused_and_change_nothing_then)
 {
     const std::string text = scene_file_text(everything());
-    World base({.gravity = {0, -3}});
+    World base({.gravity = {0, -3}, .length_unit = everything().world.length_unit});
     base.create_body({.type = BodyType::Static}, box(50, 1));
     base.create_body({.position = {0, 5}}, circle(0.5f));
     const std::uint64_t before = base.hash();
@@ -116,8 +116,15 @@ TEST(SceneFiles, spoilt_ones_are_loaded_or_refused_and_change_nothing_then)
             const std::string problem = result.problem.text();
             EXPECT_EQ(problem.substr(0, 12), "spoilt.json:");
             EXPECT_LT(problem.size(), 1000u);
+            EXPECT_EQ(problem, files::printable_line(problem)); // valid UTF-8 without control characters
             EXPECT_EQ(world.hash(), before) << problem;
-            EXPECT_FALSE(validate_scene_text(spoilt).empty()) << problem;
+            const bool is_of_this_world = result.problem.field == "world.length_unit" && result.problem.line > 0;
+            const std::vector<SceneProblem> all = validate_scene_text(spoilt, 20, "spoilt.json");
+            if (!is_of_this_world)
+            {
+                EXPECT_EQ(all.empty() ? "" : all.front().text(), problem);
+            }
+            for (const SceneProblem& one : all) EXPECT_EQ(one.text(), files::printable_line(one.text()));
             continue;
         }
         ++played;
@@ -128,7 +135,9 @@ TEST(SceneFiles, spoilt_ones_are_loaded_or_refused_and_change_nothing_then)
             EXPECT_TRUE(!problem || problem->line > 0);
             world.step(scene.time_step, scene.substeps);
         }
-        scene_text(world, {.names = &scene.names});
+        const std::string saved = scene_text(world, {.names = &scene.names});
+        EXPECT_EQ(saved.find("Speeds above"), std::string::npos); // no step leaves a body faster than a file can hold
+        EXPECT_TRUE(validate_scene_text(saved).empty()) << spoilt;
     }
     EXPECT_GT(refused, 2000);
     EXPECT_GT(played, 200);
