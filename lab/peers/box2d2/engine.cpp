@@ -208,7 +208,7 @@ void Engine::add_fixture(b2Body& body, const b2Shape& shape, const Material& mat
     made.userData = tangent_speed_data(material.tangent_speed);
     made.friction = material.friction;
     made.restitution = material.restitution;
-    made.restitutionThreshold = file_.world.solver.restitution_threshold;
+    made.restitutionThreshold = file_.world.solver.restitution_threshold * file_.world.length_unit;
     made.density = def.density;
     made.isSensor = def.is_sensor;
     made.filter.categoryBits = static_cast<uint16>(def.filter.category);

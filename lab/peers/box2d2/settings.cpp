@@ -88,6 +88,7 @@ std::vector<std::string> differences(const SceneFile& file, int threads)
     add_if(file.world.sleep.is_enabled, "bodies sleep after 0.5 s below 0.01 m/s and 2 degrees a second, which is fixed");
     add_if(needs(file, "chains"), "two-sided chains are made of edges that know nothing of each other, since its chains have one side");
     add_if(needs(file, "breakable_joints"), "joints are broken from outside, by the force that the engine tells after the step");
+    add_if(file.world.length_unit != 1, "tolerances are fixed, for bodies of 0.1 m to 10 m");
     const bool has_own_tuning =
         file.world.solver.contact_hertz != 30 || file.world.solver.contact_damping_ratio != 10 || file.world.solver.push_out_speed != 3;
     add_if(has_own_tuning, "contacts have the engine's own stiffness");

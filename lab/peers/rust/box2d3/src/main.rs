@@ -44,13 +44,15 @@ impl Engine for Box2d3 {
 
     fn new(scene: &SceneFile, threads: usize) -> Result<Self, Stop> {
         let settings = &scene.world;
+        let unit = settings.length_unit;
+        unsafe { b2SetLengthUnitsPerMeter(unit) };
         let mut def = unsafe { b2DefaultWorldDef() };
         def.gravity = vec2(settings.acceleration(settings.gravity));
-        def.restitutionThreshold = settings.solver.restitution_threshold;
-        def.hitEventThreshold = settings.hit_speed;
+        def.restitutionThreshold = settings.solver.restitution_threshold * unit;
+        def.hitEventThreshold = settings.hit_speed * unit;
         def.contactHertz = settings.solver.contact_hertz;
         def.contactDampingRatio = settings.solver.contact_damping_ratio;
-        def.contactSpeed = settings.solver.push_out_speed;
+        def.contactSpeed = settings.solver.push_out_speed * unit;
         def.frictionCallback = mixing(settings.mixing.friction, Mixing::GeometricMean);
         def.restitutionCallback = mixing(settings.mixing.restitution, Mixing::Maximum);
         def.enableSleep = settings.sleep.is_enabled;
@@ -60,7 +62,7 @@ impl Engine for Box2d3 {
             world: unsafe { b2CreateWorld(&def) },
             time_step: scene.time_step,
             substeps: scene.substeps as i32,
-            sleep_speed: settings.sleep.speed,
+            sleep_speed: settings.sleep.speed * unit,
             ground: None,
             has_sensors: scene.all_shapes().any(|shape| shape.is_sensor),
             differences: differences_of(scene),

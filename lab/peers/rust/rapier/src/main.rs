@@ -95,6 +95,7 @@ impl Engine for Rapier {
         let parameters = &mut world.integration_parameters;
         let solver = &scene.world.solver;
         parameters.dt = scene.time_step;
+        parameters.length_unit = scene.world.length_unit;
         parameters.num_solver_iterations = scene.substeps;
         parameters.max_ccd_substeps = usize::from(scene.world.continuous);
         parameters.contact_softness.natural_frequency = solver.contact_hertz;

@@ -221,6 +221,9 @@ pub struct World {
     pub solver: Solver,
     pub mixing: MixingRules,
     pub hit_speed: f32,
+    pub length_unit: f32,
+    #[serde(rename = "max_pairs")]
+    _max_pairs: u32, // a guard of Carom's own
     pub fields: Vec<Field>,
 }
 
@@ -233,6 +236,8 @@ impl Default for World {
             solver: Solver::default(),
             mixing: MixingRules::default(),
             hit_speed: 1.0,
+            length_unit: 1.0,
+            _max_pairs: 0,
             fields: Vec::new(),
         }
     }

@@ -196,6 +196,8 @@ pub struct Joint {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct JointFields {
+    #[serde(default, rename = "name")]
+    _name: String,
     #[serde(default)]
     body_a: Option<usize>,
     body_b: usize,

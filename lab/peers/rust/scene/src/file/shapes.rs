@@ -114,6 +114,8 @@ pub struct Shape {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ShapeFields {
+    #[serde(default, rename = "name")]
+    _name: String,
     circle: Option<Circle>,
     capsule: Option<Capsule>,
     segment: Option<Segment>,
@@ -183,6 +185,8 @@ fn check_geometry(geometry: &Geometry) -> Result<(), String> {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Chain {
+    #[serde(default, rename = "name")]
+    _name: String,
     pub points: Vec<Vec2>,
     #[serde(default)]
     pub materials: Vec<Material>,
