@@ -318,8 +318,8 @@ TEST_F(Program, refuses_scene_files_with_their_place)
 {
     std::ofstream(file("bad.json")) << R"({"carom_scene": 1, "bodies": [{"shapes": [{"circle": {"radius": -1}}]}]})";
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"run", file("bad.json")}, "bad.json: bodies[0].shapes[0].circle.radius is -1; give a number > 0 [m]"},
-        {{"run", file("none.json")}, "can't read"},
+        {{"run", file("bad.json")}, "bad.json:1:65: bodies[0].shapes[0].circle.radius is -1; give a number > 0 [m]"},
+        {{"run", file("none.json")}, "none.json: can't be read: No such file or directory"},
         {{"run", "large_piramid"}, "did you mean large_pyramid?"},
         {{"run", "large_pyramid", "--set", "size=0"}, "size: 0 is out of range; give an integer from 1 to 300"},
         {{"run", "large_pyramid", "--set", "rows=3"}, "rows"},

@@ -1,7 +1,6 @@
 // The list of all scenes, with those of the laboratory at sizes that run fluently.
 #include "gallery/scene_source.hpp"
 
-#include "files/input_file.hpp"
 #include "lab/field_scenes/field_scenes.hpp"
 #include "lab/scene_file/file_scene.hpp"
 #include "scene_file/reader.hpp"
@@ -74,7 +73,6 @@ SceneSource laboratory(const Benchmark& benchmark)
 
 SceneSource SceneSource::of_file(const std::filesystem::path& path)
 {
-    files::open_input(path); // tells why it can't
     const auto file = std::make_shared<const SceneFile>(lab::read_scene_file(path));
     SceneInfo info = FileScene::info_of(*file);
     if (file->name.empty()) info.title = path.stem().string();

@@ -25,8 +25,7 @@ public:
     {
     }
     /// The file as it is now: a later change of it does not show.
-    /// @throws files::CannotRead with the reason
-    /// @throws lab::SceneFileError when it holds no scene, with the place
+    /// @throws lab::SceneFileError when it can't be read or holds no scene, with the place
     static SceneSource of_file(const std::filesystem::path& file);
 
     const scenes::SceneInfo& info() const { return *info_; }    ///< name, title and group as the list shows them

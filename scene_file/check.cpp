@@ -361,11 +361,8 @@ void check_needs(const SceneFile& file, const std::string& name)
 {
     const auto fail = [&](std::string message)
     {
-        throw SceneFileError({.source = name,
-                              .line = file.place.line,
-                              .column = file.place.column,
-                              .field = "needs",
-                              .message = std::move(message)});
+        throw SceneFileError(
+            {.source = name, .line = file.place.line, .column = file.place.column, .field = "needs", .message = std::move(message)});
     };
     const std::vector<std::string> known(words.begin(), words.end());
     for (const std::string& need : file.needs)

@@ -181,7 +181,10 @@ struct Fields<FileWorld>
         v("mixing", &FileWorld::mixing, about(""));
         v("hit_speed", &FileWorld::hit_speed, factor("slower collisions are not reported as hits", "length units/s"));
         v("length_unit", &FileWorld::length_unit,
-          {.what = "typical size of a body; Carom's tolerances are shares of it", .unit = "m", .min = min_length_unit, .max = max_length_unit});
+          {.what = "typical size of a body; Carom's tolerances are shares of it",
+           .unit = "m",
+           .min = min_length_unit,
+           .max = max_length_unit});
         v("max_pairs", &FileWorld::max_pairs,
           {.what = "most pairs of near shapes before a step is refused; 0 lets the engine choose", .min = 0, .max = 1 << 30});
         v("fields", &FileWorld::fields, {.what = "gravity fields, each under its kind: uniform, point, n_body", .max = 1000});

@@ -140,7 +140,7 @@ TEST(LoadScene, reads_paths_and_streams_and_says_why_it_can_not)
     World world;
     const SceneLoadResult missing = load_scene(world, std::filesystem::path("/nowhere/level.json"));
     EXPECT_EQ(missing.problem.text(), "/nowhere/level.json: can't be read: No such file or directory");
-    EXPECT_EQ(load_scene(world, std::filesystem::path("/")).problem.text(), "/: can't be read: Is a directory");
+    EXPECT_EQ(load_scene(world, std::filesystem::path("/")).problem.text(), "/: can't be read: it is a folder; give a file");
     std::istringstream stream(level);
     EXPECT_TRUE(load_scene(world, stream));
 }

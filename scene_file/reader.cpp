@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr std::size_t most_nested = 64;                 // of what is passed over; what is read is as deep as the fields are
-constexpr std::size_t most_bytes_passed_over = 1 << 20; // a text editor's view of one mistake
+constexpr std::size_t most_bytes_passed_over = 1 << 20; // behind one mistake
 
 /// Thrown when enough problems are known.
 struct Enough
@@ -75,6 +75,7 @@ private:
     template <class Action>
     void attempt(const Action& action);
     bool is_passed_over() const { return !reading_.frames.empty() && !reading_.frames.back().slot.reader; }
+    bool pass_over() const;
 
     TextInput& input_;
     SceneFile& file_;
@@ -115,13 +116,21 @@ Slot Events::next_slot()
     catch (const SceneFileError&)
     {
         frame.slot = {}; // so would all that follow be refused
+        passed_over_from_ = input_.bytes();
         throw;
     }
 }
 
+/// Lets a value go by, unless it is too far from the mistake for a reader to see both.
+bool Events::pass_over() const
+{
+    if (input_.bytes() - passed_over_from_ > most_bytes_passed_over || reading_.frames.size() > most_nested) throw Enough();
+    return true;
+}
+
 bool Events::take(const Scalar& value)
 {
-    if (is_passed_over()) return true;
+    if (is_passed_over()) return pass_over();
     reading_.place = input_.value_start();
     attempt([&]
     {
@@ -135,9 +144,7 @@ bool Events::begin(bool is_list)
 {
     Frame frame{.is_list = is_list, .start = input_.last()};
     if (is_passed_over())
-    {
-        if (input_.bytes() - passed_over_from_ > most_bytes_passed_over || reading_.frames.size() > most_nested) throw Enough();
-    }
+        pass_over();
     else
     {
         reading_.place = frame.start;
@@ -157,7 +164,7 @@ bool Events::begin(bool is_list)
 
 bool Events::key(std::string& key)
 {
-    if (is_passed_over()) return true;
+    if (is_passed_over()) return pass_over();
     Frame& frame = reading_.frames.back();
     frame.key = key;
     frame.next = {};

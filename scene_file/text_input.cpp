@@ -23,7 +23,8 @@ bool is_punctuation(char c) { return c == '{' || c == '}' || c == '[' || c == ']
 
 [[noreturn]] void fail_to_read(const std::string& name, int error)
 {
-    throw SceneFileError({.source = name, .message = std::string("can't be read: ") + std::strerror(error)});
+    const std::string reason = error == EISDIR ? "it is a folder; give a file" : std::strerror(error);
+    throw SceneFileError({.source = name, .message = "can't be read: " + reason});
 }
 
 /// The encoding that the first bytes of a text show, when it is another than UTF-8; else null. A scene begins with '{', so without a mark
@@ -36,8 +37,7 @@ const char* other_encoding(std::string_view start)
     if (start.starts_with("\xff\xfe"sv) || start.starts_with("\xfe\xff"sv)) return "UTF-16";
     if (start.size() < 4) return nullptr;
     const auto is_zero = [&](std::size_t i) { return start[i] == '\0'; };
-    if (is_zero(0) && is_zero(1)) return "UTF-32";
-    if (is_zero(1) && is_zero(2) && is_zero(3)) return "UTF-32";
+    if (is_zero(0) != is_zero(3) && is_zero(1) && is_zero(2)) return "UTF-32";
     if (is_zero(0) != is_zero(1) && is_zero(0) == is_zero(2) && is_zero(1) == is_zero(3)) return "UTF-16";
     return nullptr;
 }

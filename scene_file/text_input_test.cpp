@@ -68,6 +68,7 @@ TEST(TextInput, refuses_a_NUL_byte_wherever_it_is)
 {
     EXPECT_EQ(problem_of("{\"carom_scene\": 1}\0 rubbish"s), "scene.json:1:19: syntax error: a NUL byte; a scene file is text");
     EXPECT_EQ(problem_of("{\"carom_scene\": 1,\n\"name\": \"a\0\"}"s), "scene.json:2:11: syntax error: a NUL byte; a scene file is text");
+    EXPECT_EQ(problem_of("\0\0\0\0\0"s), "scene.json:1:1: syntax error: a NUL byte; a scene file is text");
     EXPECT_EQ(problem_of("{\"carom_scene\"\0: 1}"s), "scene.json:1:15: syntax error: a NUL byte; a scene file is text");
 }
 

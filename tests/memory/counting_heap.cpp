@@ -10,6 +10,15 @@ namespace
 
 std::atomic<std::size_t> allocations = 0;
 std::atomic<std::size_t> bytes_in_use = 0;
+std::atomic<std::size_t> peak = 0;
+
+void raise_peak(std::size_t in_use)
+{
+    std::size_t most = peak;
+    while (in_use > most && !peak.compare_exchange_weak(most, in_use))
+    {
+    }
+}
 
 /// Stands right before the user's bytes.
 struct Header
@@ -27,7 +36,7 @@ void* take(std::size_t bytes, std::size_t alignment)
     const std::size_t place = (first + alignment - 1) / alignment * alignment;
     *(reinterpret_cast<Header*>(place) - 1) = {block, bytes};
     ++allocations;
-    bytes_in_use += bytes;
+    raise_peak(bytes_in_use += bytes);
     return reinterpret_cast<void*>(place);
 }
 
@@ -46,6 +55,8 @@ namespace carom
 
 std::size_t heap_allocations() { return allocations; }
 std::size_t heap_bytes() { return bytes_in_use; }
+void watch_heap_peak() { peak = bytes_in_use.load(); }
+std::size_t heap_peak() { return peak; }
 
 } // namespace carom
 

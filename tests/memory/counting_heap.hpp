@@ -10,5 +10,9 @@ namespace carom
 std::size_t heap_allocations();
 /// Bytes from operator new that are in use.
 std::size_t heap_bytes();
+/// Starts to watch for heap_peak().
+void watch_heap_peak();
+/// The most bytes that were in use at a time since watch_heap_peak().
+std::size_t heap_peak();
 
 } // namespace carom

@@ -34,7 +34,8 @@ TEST(Regression, a_step_leaves_no_body_faster_than_calls_accept)
     EXPECT_NEAR(body.linear_velocity().y, max_speed / 2, 1);
     EXPECT_EQ(body.angular_velocity(), -max_speed);
     World again;
-    again.create_body({.position = body.position(), .linear_velocity = body.linear_velocity(), .angular_velocity = body.angular_velocity()});
+    again.create_body(
+        {.position = body.position(), .linear_velocity = body.linear_velocity(), .angular_velocity = body.angular_velocity()});
 }
 
 TEST(Regression, a_kinematic_body_keeps_its_velocity_when_a_lost_body_hits_it)
