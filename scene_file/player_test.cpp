@@ -176,6 +176,10 @@ TEST(Snapshot, of_a_world_holds_what_was_set)
     EXPECT_TRUE(file.bodies[1].is_awake);
     EXPECT_FALSE(file.bodies[4].is_awake);
     EXPECT_EQ(file.world.fields, original.world.fields);
+    EXPECT_EQ(player.world().length_unit(), 0.5f);
+    EXPECT_EQ(player.world().max_pairs(), 1000);
+    EXPECT_EQ(file.world.length_unit, 0.5f);
+    EXPECT_EQ(file.world.max_pairs, 1000);
     EXPECT_EQ(file.joints.size(), original.joints.size());
 }
 

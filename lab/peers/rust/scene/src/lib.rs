@@ -23,6 +23,18 @@ mod tests {
     }
 
     #[test]
+    fn names_and_settings_of_carom_alone_are_read() {
+        let scene = parse(
+            r#"{"carom_scene": 1, "world": {"length_unit": 0.5, "max_pairs": 1000}, "bodies": [{"name": "a",
+                "shapes": [{"name": "b", "circle": {"radius": 1}}], "chains": [{"name": "c", "points": [[0, 0], [1, 0]]}]}],
+                "joints": [{"name": "d", "body_b": 0, "weld": {}}]}"#,
+        )
+        .unwrap();
+        assert_eq!(scene.world.length_unit, 0.5);
+        assert_eq!(scene.bodies[0].name, "a");
+    }
+
+    #[test]
     fn unknown_fields_are_refused() {
         assert!(parse(r#"{"carom_scene": 1, "bodys": []}"#).unwrap_err().to_string().contains("bodys"));
         assert!(parse(r#"{"carom_scene": 1, "bodies": [{"shapes": [{"circle": {"radius": 1}, "polygon": {"vertices": []}}]}]}"#).is_err());
