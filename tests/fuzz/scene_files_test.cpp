@@ -116,7 +116,8 @@ TEST(SceneFiles, spoilt_ones_are_loaded_or_refused_and_change_nothing_then)
             const std::string problem = result.problem.text();
             EXPECT_EQ(problem.substr(0, 12), "spoilt.json:");
             EXPECT_LT(problem.size(), 1000u);
-            EXPECT_EQ(problem, files::printable_line(problem)); // valid UTF-8 without control characters
+            for (const std::string& words : {problem, result.problem.field, result.problem.message})
+                EXPECT_EQ(words, files::printable_line(words)); // valid UTF-8 without control characters
             EXPECT_EQ(world.hash(), before) << problem;
             const bool is_of_this_world = result.problem.field == "world.length_unit" && result.problem.line > 0;
             const std::vector<SceneProblem> all = validate_scene_text(spoilt, 20, "spoilt.json");
