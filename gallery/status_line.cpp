@@ -18,6 +18,9 @@ std::string words(const char* format, Values... values)
     return text;
 }
 
+/// "1 contact", "2 contacts".
+std::string count_words(int count, const char* one, const char* many) { return words("%d %s", count, count == 1 ? one : many); }
+
 std::string place_words(const std::optional<Vec2>& place)
 {
     if (!place) return "pointer not over the scene";
@@ -32,8 +35,8 @@ std::array<StatusFigure, 5> status_figures(const Gallery& gallery)
     const StageMeter& meter = gallery.session.meter();
     return {{{words("frame %.1f ms", frame), "from frame to frame, mean of the last ones"},
              {words("step %.3f ms", meter.now().step_ms), "mean of the last steps"},
-             {words("%d bodies", gallery.session.scene().world().body_count()), "that the world holds"},
-             {words("%d contacts", meter.latest().contacts), "pairs of shapes that touch, in the last step"},
+             {count_words(gallery.session.scene().world().body_count(), "body", "bodies"), "that the world holds"},
+             {count_words(meter.latest().contacts, "contact", "contacts"), "pairs of shapes that touch, in the last step"},
              {place_words(gallery.pointer_place), "where the pointer is in the scene"}}};
 }
 

@@ -23,4 +23,12 @@ TEST(StatusLine, tells_times_counts_and_the_place_of_the_pointer)
     EXPECT_EQ(status_figures(gallery)[4].text.find("m,"), std::string::npos);
 }
 
+TEST(StatusLine, tells_one_thing_in_the_singular)
+{
+    Gallery gallery("gravity", {}, 1);
+    World& world = gallery.session.scene().world();
+    while (world.body_count() > 1) world.destroy_body(world.bodies().back());
+    EXPECT_EQ(status_figures(gallery)[2].text, "1 body");
+}
+
 } // namespace carom::gallery
