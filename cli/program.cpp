@@ -71,6 +71,15 @@ void add_scenes_command(CLI::App& app, const Surroundings& surroundings)
     command->callback([is_json, &surroundings] { surroundings.out << (*is_json ? scenes_json().dump(2) + "\n" : scenes_text()); });
 }
 
+/// Those that this machine has, from the narrowest to the widest.
+std::string simd_names()
+{
+    std::vector<std::string> names;
+    for (const Simd simd : all_simd)
+        if (is_available(simd)) names.emplace_back(name_of(simd));
+    return scenes::joined(names);
+}
+
 void add_run_command(CLI::App& app, const Surroundings& surroundings)
 {
     CLI::App* const command = app.add_subcommand("run", "Run a scene without a window and measure it");
@@ -88,6 +97,15 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
         ->type_name("S")
         ->check(whole_number(0, UINT64_MAX));
     command->add_option("--broadphase", request->broad_phase, scenes::joined(scenes::broad_phase_names()))->type_name("NAME");
+    command
+        ->add_option_function<std::string>("--simd",
+                                           [request](const std::string& name)
+    {
+        request->simd = simd_named(name);
+        if (!request->simd || !is_available(*request->simd))
+            throw CLI::ValidationError("--simd", files::quoted(name) + " is not on this machine; it has " + simd_names());
+    }, "Instruction set of the solver: " + simd_names() + "; by default the last")
+        ->type_name("NAME");
     command->add_option("--input", request->input, "Pointer and key events to give to the scene")->type_name("FILE");
     command->add_flag("--json", request->is_json, "Print one JSON object");
     command->add_option("--still", request->still, "Draw the last step into a picture")->type_name("FILE.png");
@@ -153,7 +171,7 @@ int report(const Surroundings& surroundings, const std::exception& error, int st
 int run_arguments(const std::vector<std::string>& arguments, const Surroundings& surroundings)
 {
     CLI::App app("Carom, a 2D rigid-body physics engine: runs its scenes without a window.", "carom");
-    app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION);
+    app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION + ", " + std::string(name_of(World().simd())));
     app.require_subcommand(1);
     app.footer(examples);
     add_scenes_command(app, surroundings);

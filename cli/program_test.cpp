@@ -153,7 +153,7 @@ TEST_F(Program, help_and_version_succeed)
 {
     EXPECT_EQ(carom({"--help"}).status, 0);
     EXPECT_NE(carom({"run", "--help"}).out.find("--broadphase"), std::string::npos);
-    EXPECT_EQ(carom({"--version"}).out, "carom 0.1.0\n");
+    EXPECT_EQ(carom({"--version"}).out, "carom 0.1.0, " + std::string(name_of(World().simd())) + "\n");
 }
 
 TEST_F(Program, input_changes_the_run)

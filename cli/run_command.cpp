@@ -82,7 +82,12 @@ struct Job
     Progress progress;
     const Surroundings& surroundings;
 
-    std::unique_ptr<Scene> make() const { return source.make(values, request.seed.value_or(1)); }
+    std::unique_ptr<Scene> make() const
+    {
+        std::unique_ptr<Scene> scene = source.make(values, request.seed.value_or(1));
+        if (request.simd) scene->world().set_simd(*request.simd);
+        return scene;
+    }
     /// A step is done. Files that are not complete go away when this throws.
     void advance()
     {

@@ -3,6 +3,8 @@
 
 #include "cli/program.hpp"
 
+#include <carom/simd.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +21,7 @@ struct RunRequest
     std::optional<int> steps;          ///< by default as many as the scene is meant for, or 600
     std::optional<std::uint64_t> seed; ///< 1 by default
     std::optional<std::string> broad_phase;
+    std::optional<Simd> simd;
     std::optional<std::string> input;
     std::optional<std::string> still;
     std::optional<std::string> animation;

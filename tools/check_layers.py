@@ -16,9 +16,12 @@ ENGINE = {
     "geometry": ["math"],
     "broadphase": ["geometry", "memory", "jobs", "profile"],
     "dynamics": ["broadphase"],
-    "solver": ["dynamics"],
+    "solver/kernels": ["math"],
+    "solver/isa": ["solver/kernels"],
+    "solver/rows": ["dynamics", "solver/isa", "solver"],
+    "solver": ["dynamics", "solver/isa"],
     "fields": ["dynamics"],
-    "world": ["solver", "fields"],
+    "world": ["solver/rows", "fields"],
 }
 # Folders outside the engine: which top folders their includes may name. "include" stands for <carom/...>.
 PROGRAMS = {
@@ -41,6 +44,12 @@ ADAPTERS = {"src/profile/backend_tracy.cpp": "tracy/"}
 SIMD_HEADERS = {"emmintrin.h", "immintrin.h", "arm_neon.h", "wasm_simd128.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def layer_of(path):
+    """The layer of a file in src/: its folder, or the folder and the one below where that is a layer of its own."""
+    below = "/".join(path.parts[1:3])
+    return below if below in ENGINE else path.parts[1]
 
 
 def builds_on(folder):
@@ -83,13 +92,14 @@ def broken_rule(source, is_angled, name, target):
     if target.parts[0] == "include":
         return None if is_angled else "public headers are included as <carom/...>"
     if top == "src":
-        layer = source.parts[1]
+        layer = layer_of(source)
         if layer not in ENGINE:
             return f"src/{layer} is not a layer; add it to the table in tools/check_layers.py"
         if target.parts[0] != "src":
             return f"src/ may include only itself and <carom/...>, not {target.parts[0]}/"
-        if target.parts[1] != layer and target.parts[1] not in builds_on(layer):
-            return f"src/{layer} may use only {', '.join(sorted(builds_on(layer))) or 'the standard library'}, not {target.parts[1]}"
+        other = layer_of(target)
+        if other != layer and other not in builds_on(layer) and not (is_test and source.parts[1] == target.parts[1]):
+            return f"src/{layer} may use only {', '.join(sorted(builds_on(layer))) or 'the standard library'}, not {other}"
         return None
     if target.parts[0] == "src" and is_test:
         return None
@@ -122,7 +132,7 @@ def find_cycle(graph):
 
 def folder_of(path):
     """The layer that a file belongs to: two levels deep in src/, else one."""
-    return "/".join(path.parts[:2] if path.parts[0] == "src" else path.parts[:1])
+    return f"src/{layer_of(path)}" if path.parts[0] == "src" else path.parts[0]
 
 
 def check(root):

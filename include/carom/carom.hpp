@@ -18,6 +18,7 @@
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
+#include <carom/simd.hpp>
 #include <carom/step_probe.hpp>
 #include <carom/version.hpp>
 #include <carom/world.hpp>

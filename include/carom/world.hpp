@@ -13,6 +13,7 @@
 #include <carom/queries.hpp>
 #include <carom/report.hpp>
 #include <carom/shape.hpp>
+#include <carom/simd.hpp>
 #include <carom/step_probe.hpp>
 
 #include <cstdint>
@@ -77,6 +78,7 @@ struct WorldDef
     /// touching, the least size of a shape. Keep 1 for bodies of 0.1 m to 10 m; give 0.01 for a world of small parts, 100 for one of ships.
     /// It changes no other unit: lengths stay metres. Speeds of SolverTuning, SleepTuning and hit_speed are counted in length units a second.
     float length_unit = 1;
+    Simd simd = Simd::Best; ///< the instruction set of the solver, which does not show in the results
     BroadPhaseType broad_phase = BroadPhaseType::Tree;
     BroadPhaseOptions broad_phase_options = {};
     SolverTuning solver = {};
@@ -231,6 +233,12 @@ public:
     BroadPhaseOptions broad_phase_options() const;
     /// Changes how pairs are found, and nothing else: the world goes on to the same bits.
     void set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& options = {});
+
+    // The instruction set.
+    Simd simd() const; ///< the one that is used: never Simd::Best
+    /// Changes how fast steps are, and nothing else.
+    /// @throws UsageError when this machine does not have it, and when CAROM_SIMD in the environment names none that it has
+    void set_simd(Simd simd);
 
     float length_unit() const; ///< as the world was made [m]
 

@@ -3,8 +3,6 @@
 
 #include "math/lanes.hpp"
 
-#include <carom/math.hpp>
-
 namespace carom::detail
 {
 
@@ -76,8 +74,9 @@ LaneVec<F> rotate(const LaneRot<F>& q, const LaneVec<F>& v)
 }
 
 /// Writes one lane of a vector.
-template <class F>
-void set_lane(LaneVec<F>& v, int i, Vec2 value)
+/// @param value of components x and y
+template <class F, class Vector>
+void set_lane(LaneVec<F>& v, int i, const Vector& value)
 {
     lane(v.x, i) = value.x;
     lane(v.y, i) = value.y;

@@ -1,10 +1,7 @@
 // Numbers that a row kernel works on: `float` is one lane; a vector type of several lanes offers the same functions.
-// A kernel uses only arithmetic operators, comparisons, and what stands here, so that it reads the same for every width.
+// A kernel uses only arithmetic operators, comparisons, and what stands here, so that it reads the same for every width. Nothing else is included:
+// kernels are compiled for several instruction sets (solver/isa/), and an inline function of another header would come in several versions.
 #pragma once
-
-#include <carom/math.hpp>
-
-#include <cmath>
 
 namespace carom::detail
 {
@@ -27,8 +24,7 @@ inline constexpr int lane_width = LaneTraits<F>::width;
 inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
 inline float lane_max(float a, float b) { return a > b ? a : b; }
 inline float lane_min(float a, float b) { return a < b ? a : b; }
-inline float lane_sqrt(float a) { return std::sqrt(a); }
-inline float lane_atan2(float y, float x) { return carom::atan2(y, x); }
+inline float lane_sqrt(float a) { return __builtin_sqrtf(a); }
 
 /// One lane of a number, for gather and scatter.
 inline float& lane(float& f, int) { return f; }

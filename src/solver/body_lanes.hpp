@@ -1,60 +1,32 @@
-// The bodies of a row, one lane each: gathered from the dense array before its kernels run, scattered back after.
+// Bodies of rows, gathered from the body store and scattered back.
 #pragma once
 
 #include "dynamics/body_store.hpp"
-#include "math/lane_vec.hpp"
+#include "solver/kernels/body_lanes.hpp"
 
-#include <array>
-#include <cstdint>
+#include <cstddef>
 #include <span>
 
 namespace carom::detail
 {
 
-/// Motion indices of the bodies on one side of a row; 0 where there is nothing to move.
-template <class F>
-using BodyIndices = std::array<std::uint32_t, lane_width<F>>;
+static_assert(sizeof(BodyMotion) == motion_floats * sizeof(float));
+static_assert(offsetof(BodyMotion, w) == 2 * sizeof(float) && offsetof(BodyMotion, dp) == 3 * sizeof(float) &&
+              offsetof(BodyMotion, dq) == 5 * sizeof(float));
 
-/// Velocity and way of the bodies on one side of a row.
-template <class F>
-struct BodyLanes
-{
-    LaneVec<F> v;
-    F w;
-    LaneVec<F> dp;
-    LaneRot<F> dq;
-};
+inline float* floats_of(std::span<BodyMotion> motions) { return &motions.data()->v.x; }
+inline const float* floats_of(std::span<const BodyMotion> motions) { return &motions.data()->v.x; }
 
 template <class F>
 BodyLanes<F> gather(std::span<const BodyMotion> motions, const BodyIndices<F>& indices)
 {
-    BodyLanes<F> lanes;
-    for (int i = 0; i < lane_width<F>; ++i)
-    {
-        const BodyMotion& motion = motions[indices[static_cast<std::size_t>(i)]];
-        set_lane(lanes.v, i, motion.v);
-        lane(lanes.w, i) = motion.w;
-        set_lane(lanes.dp, i, motion.dp);
-        lane(lanes.dq.c, i) = motion.dq.c;
-        lane(lanes.dq.s, i) = motion.dq.s;
-    }
-    return lanes;
+    return gather(floats_of(motions), indices);
 }
 
-/// Writes velocities back.
-/// @param indices 0 for every body that nothing pushes: kinematic bodies too, which rows of one colour may share, and whose velocity must
-///                stay what it is when an infinite impulse meets their inverse mass of zero
 template <class F>
 void scatter(std::span<BodyMotion> motions, const BodyIndices<F>& indices, const BodyLanes<F>& lanes)
 {
-    for (int i = 0; i < lane_width<F>; ++i)
-    {
-        const std::uint32_t index = indices[static_cast<std::size_t>(i)];
-        if (index == 0) continue;
-        BodyMotion& motion = motions[index];
-        motion.v = {lane(lanes.v.x, i), lane(lanes.v.y, i)};
-        motion.w = lane(lanes.w, i);
-    }
+    scatter(floats_of(motions), indices, lanes);
 }
 
 } // namespace carom::detail

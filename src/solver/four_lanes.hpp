@@ -1,7 +1,7 @@
 // Four lanes made of nothing but what math/lanes.hpp asks of a lane type: for tests that wide rows give the bits of scalar ones.
 #pragma once
 
-#include "math/lanes.hpp"
+#include "math/lane_trig.hpp"
 
 #include <array>
 #include <bit>

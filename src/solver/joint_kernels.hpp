@@ -7,6 +7,7 @@
 //   q = u . d,   q' = u . (v_b - v_a) + (r_b x u) w_b - ((d + r_a) x u) w_a
 #pragma once
 
+#include "math/lane_trig.hpp"
 #include "solver/joint_row.hpp"
 
 namespace carom::detail

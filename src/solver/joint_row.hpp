@@ -110,10 +110,10 @@ struct JointRow
     std::array<ControlRow<F>, max_controls> controls;
     DriveRow<F> drive;
 
-    std::array<F, max_rigid_rows> lambda;           ///< of this substep
-    LaneVec<F> total_impulse;                       ///< on B over the step so far
-    F total_twist;                                  ///< about the origin of frame B
-    std::array<std::uint32_t, lane_width<F>> joint; ///< where the lane's results go back to
+    std::array<F, max_rigid_rows> lambda; ///< of this substep
+    LaneVec<F> total_impulse;             ///< on B over the step so far
+    F total_twist;                        ///< about the origin of frame B
+    LaneIndices<F> joint;                 ///< where the lane's results go back to
 };
 
 /// What the kernels of a pass share.

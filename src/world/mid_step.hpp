@@ -1,7 +1,7 @@
 // The middle of a step, as a probe sees it.
 #pragma once
 
-#include "solver/contact_solver.hpp"
+#include "solver/rows/contact_solver.hpp"
 #include "world/world_state.hpp"
 
 #include <carom/step_probe.hpp>
@@ -13,9 +13,9 @@ namespace carom::detail
 struct MidStep
 {
     const WorldState& world;
-    const ContactSolver<float>& solver; ///< of this step; the joints' is in the world
-    float dt;                           ///< of the step [s]
-    Stage stage;                        ///< that has just ended
+    const ContactSolver& solver; ///< of this step; the joints' is in the world
+    float dt;                    ///< of the step [s]
+    Stage stage;                 ///< that has just ended
 
     StepView view() const { return StepView(*this); }
     /// Whether impulses are in rows: made, and not stored yet.

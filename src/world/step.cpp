@@ -4,9 +4,10 @@
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
 #include "math/usage_error.hpp"
-#include "solver/contact_solver.hpp"
 #include "solver/continuous.hpp"
 #include "solver/integrate.hpp"
+#include "solver/isa/dispatch.hpp"
+#include "solver/rows/contact_solver.hpp"
 #include "solver/softness.hpp"
 #include "world/check_state.hpp"
 #include "world/edits.hpp"
@@ -65,7 +66,7 @@ void break_joints(WorldState& world)
 }
 
 /// Gathers what the solver works on.
-ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt, int substeps)
+ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int substeps)
 {
     ColorLists contacts(world.contacts, world.arena);
     if (dt == 0) return contacts; // nothing will be solved
@@ -77,7 +78,7 @@ ColorLists build_rows(WorldState& world, ContactSolver<float>& solver, float dt,
     return contacts;
 }
 
-void bounce(WorldState& world, ContactSolver<float>& contacts)
+void bounce(WorldState& world, ContactSolver& contacts)
 {
     if (!contacts.any_bounces()) return;
     BodyStore& bodies = world.bodies;
@@ -87,7 +88,7 @@ void bounce(WorldState& world, ContactSolver<float>& contacts)
 }
 
 /// From the velocities at the start of the step to the motions of its end.
-void solve_substeps(WorldState& world, ContactSolver<float>& contacts, float dt, int substeps, StageRunner& run)
+void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int substeps, StageRunner& run)
 {
     const float h = dt / static_cast<float>(substeps);
     BodyStore& bodies = world.bodies;
@@ -173,7 +174,8 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     world.quarantined.clear();
     world.quarantine_reasons.clear();
     world.events.clear();
-    ContactSolver<float> solver(world.arena);
+    const ContactSolverPtr rows = make_contact_solver(passes_of(world.simd), world.arena);
+    ContactSolver& solver = *rows;
     ContinuousCollision continuous(world.arena);
     StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
 

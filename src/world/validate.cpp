@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace carom::detail
@@ -82,6 +83,28 @@ std::uint32_t require_field(const WorldState& world, FieldId id, std::string_vie
     return require_id(world.fields.slots, id, world.world, function, "field");
 }
 
+Simd chosen_simd(Simd simd, std::string_view function)
+{
+    const auto require = [&](bool is_good, std::string_view field, std::string_view value)
+    {
+        if (is_good) return;
+        std::string names;
+        for (const Simd one : all_simd)
+            if (is_available(one)) names += (names.empty() ? "" : ", ") + std::string(name_of(one));
+        usage_error(function, field, value, "this machine and build have " + names);
+    };
+    if (simd != Simd::Best)
+    {
+        require(is_available(simd), "simd", name_of(simd));
+        return simd;
+    }
+    const char* wanted = std::getenv("CAROM_SIMD");
+    if (!wanted || !*wanted) return best_simd();
+    const std::optional<Simd> named = simd_named(wanted);
+    require(named && is_available(*named), "CAROM_SIMD (in the environment)", wanted);
+    return *named == Simd::Best ? best_simd() : *named;
+}
+
 void validate(const WorldDef& def, std::string_view function)
 {
     require_within(function, "gravity", def.gravity, max_factor);
@@ -92,6 +115,7 @@ void validate(const WorldDef& def, std::string_view function)
     validate_hit_speed(def.hit_speed, function);
     validate_max_pairs(def.max_pairs, function);
     validate(def.broad_phase, def.broad_phase_options, function);
+    chosen_simd(def.simd, function);
     constexpr int most = 1 << 24;
     require_range(function, "capacity.bodies", def.capacity.bodies, 0, most);
     require_range(function, "capacity.shapes", def.capacity.shapes, 0, most);

@@ -39,6 +39,9 @@ void validate_hit_speed(float speed, std::string_view function);
 void validate(const Field& field, std::string_view function);
 void validate(const SleepTuning& tuning, std::string_view function);
 void validate(const SolverTuning& tuning, std::string_view function);
+/// What is to be used where `simd` is asked for.
+/// @throws UsageError when this machine does not have it
+Simd chosen_simd(Simd simd, std::string_view function);
 void validate(const WorldState& world, const JointDef& def, std::string_view function);
 void validate(const JointSpec& spec, std::string_view function, const Tolerances& tolerances);
 /// Whether a joint of this type can have the world as its body A.

@@ -352,6 +352,15 @@ void World::set_broad_phase(BroadPhaseType type, const BroadPhaseOptions& option
     detail::set_broad_phase(world, type, options);
 }
 
+Simd World::simd() const { return state("simd").simd; }
+
+void World::set_simd(Simd simd)
+{
+    WorldState& world = state("set_simd");
+    require_idle(world, "set_simd");
+    world.simd = detail::chosen_simd(simd, "set_simd");
+}
+
 float World::length_unit() const { return state("length_unit").shapes.tolerances.length_unit; }
 
 SolverTuning World::solver_tuning() const { return state("solver_tuning").tuning; }

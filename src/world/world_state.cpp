@@ -2,6 +2,7 @@
 #include "world/world_state.hpp"
 
 #include "memory/make_room.hpp"
+#include "world/validate.hpp"
 
 #include <array>
 #include <span>
@@ -45,6 +46,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       tuning(def.solver),
       sleep(def.sleep),
       is_continuous(def.continuous),
+      simd(chosen_simd(def.simd, "World")),
       rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed, .max_pairs = def.max_pairs},
       broad_phase_options(def.broad_phase_options),
       fields(memory_for(MemoryCategory::World)),

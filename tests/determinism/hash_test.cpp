@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 namespace carom
@@ -52,6 +53,51 @@ std::uint64_t run_mixed_world(BroadPhaseType first, bool switches)
 }
 
 } // namespace
+
+/// Forced by the environment, since scenes make their worlds themselves.
+class SimdHash : public testing::TestWithParam<Simd>
+{
+protected:
+    void SetUp() override { setenv("CAROM_SIMD", std::string(name_of(GetParam())).c_str(), 1); }
+    void TearDown() override { unsetenv("CAROM_SIMD"); }
+};
+
+TEST_P(SimdHash, of_every_scene_is_golden)
+{
+    if (!is_available(GetParam())) GTEST_SKIP() << "this machine does not have it";
+    for (const golden::SceneHash& expected : golden::scenes)
+    {
+        const auto scene = scenes::make_scene(expected.scene);
+        EXPECT_EQ(scene->world().simd(), GetParam());
+        for (int i = 0; i < 240; ++i) scene->step();
+        EXPECT_EQ(scene->world().hash(), expected.hash) << expected.scene;
+    }
+    EXPECT_EQ(run_mixed_world(BroadPhaseType::Tree, false), golden::mixed_world);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SimdHash, testing::ValuesIn(all_simd), [](const auto& simd) { return std::string(name_of(simd.param)); });
+
+TEST(SimdChoice, is_changed_on_a_live_world_and_refused_where_it_is_not_there)
+{
+    World world({.simd = Simd::Scalar});
+    EXPECT_EQ(world.simd(), Simd::Scalar);
+    EXPECT_EQ(world.copy().simd(), Simd::Scalar);
+    world.set_simd(Simd::Best);
+    EXPECT_NE(world.simd(), Simd::Best);
+    setenv("CAROM_SIMD", "mmx", 1);
+    EXPECT_THROW(World(), UsageError);
+    EXPECT_THROW(world.set_simd(Simd::Best), UsageError);
+    EXPECT_EQ(World({.simd = Simd::Four}).simd(), Simd::Four) << "the environment is for those that do not choose";
+    unsetenv("CAROM_SIMD");
+    for (const Simd simd : all_simd)
+    {
+        EXPECT_EQ(simd_named(name_of(simd)), simd);
+        if (is_available(simd)) continue;
+        EXPECT_THROW(world.set_simd(simd), UsageError);
+    }
+    EXPECT_EQ(simd_named("best"), Simd::Best);
+    EXPECT_FALSE(simd_named("mmx"));
+}
 
 TEST(Determinism, no_broad_phase_shows_in_the_state)
 {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "math/lane_vec.hpp"
-#include "solver/body_lanes.hpp"
+#include "solver/kernels/body_lanes.hpp"
 
 #include <array>
 
@@ -63,8 +63,8 @@ struct ContactRow
     F impulse_scale;
     F carried; ///< lambda_c of each point
     std::array<PointRow<F>, Points> points;
-    std::array<std::uint32_t, lane_width<F>> contact; ///< where the lane's results go back to
-    bool may_bounce;                                  ///< whether any lane approaches fast enough
+    LaneIndices<F> contact; ///< where the lane's results go back to
+    bool may_bounce;        ///< whether any lane approaches fast enough
 };
 
 /// What the kernels of a pass share.

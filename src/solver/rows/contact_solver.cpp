@@ -1,9 +1,18 @@
-// Definitions of ContactSolver, for the source files that instantiate it.
-#pragma once
+// Between contacts and their rows: fills a contact into a lane of a row, hands rows to the passes, and takes the results out again.
+#include "solver/rows/contact_solver.hpp"
 
-#include "solver/contact_solver.hpp"
+#include "math/lane_array.hpp"
+#include "solver/body_lanes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <vector>
 
 namespace carom::detail
+{
+
+namespace
 {
 
 /// A body that turns by more than this in a substep is everywhere around its centre at once, and meets others as a disc would [rad]. At its corner as it
@@ -129,9 +138,81 @@ private:
     bool any_belts_ = false;
 };
 
+/// The rows of one colour.
+struct ColorRange
+{
+    std::size_t first_single;
+    std::size_t end_single;
+    std::size_t first_double;
+    std::size_t end_double;
+};
+
+/// One lane of a row, as a row of one lane. Rows of every width hold the same members in the same order, each of 4 bytes a lane, and then a flag.
+template <class F, int N>
+ContactRow<float, N> lane_of(const ContactRow<F, N>& row, int i)
+{
+    using One = ContactRow<float, N>;
+    using Wide = ContactRow<F, N>;
+    constexpr std::size_t members = offsetof(One, may_bounce) / 4;
+    constexpr std::size_t member_bytes = sizeof(F);
+    static_assert(offsetof(Wide, may_bounce) == members * member_bytes);
+    One one = {};
+    for (std::size_t m = 0; m < members; ++m)
+        std::memcpy(reinterpret_cast<std::byte*>(&one) + 4 * m,
+                    reinterpret_cast<const std::byte*>(&row) + m * member_bytes + 4 * static_cast<std::size_t>(i), 4);
+    return one;
+}
+
+/// Contacts of one point and of two have rows of their own, so that neither carries what it does not use.
+/// @tparam F lanes as they lie in memory, as many as the passes take
 template <class F>
-void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
-                                   const ContactConstants& constants)
+class WideContactSolver final : public ContactSolver
+{
+public:
+    WideContactSolver(const SolverPasses& passes, std::pmr::memory_resource& memory)
+        : passes_(passes),
+          single_(&memory),
+          double_(&memory),
+          ranges_(&memory),
+          struck_(&memory),
+          falls_(&memory)
+    {
+    }
+
+    void build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants) override;
+    bool any_bounces() const override { return any_bounces_; }
+    void bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations) override;
+    void warm_start(std::span<BodyMotion> motions) override { run(passes_.single.warm_start, passes_.pairs.warm_start, motions); }
+    void solve(std::span<BodyMotion> motions) override { run(passes_.single.solve, passes_.pairs.solve, motions); }
+    void relax(std::span<BodyMotion> motions) override { run(passes_.single.relax, passes_.pairs.relax, motions); }
+    void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const override;
+    void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const override;
+    void show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const override;
+
+private:
+    void run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions);
+    template <class Action>
+    void for_each_contact(Action&& action) const;
+    void make_room_for_rows(const ColorLists& colors, const ContactStore& contacts);
+    void build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
+                     const ContactConstants& constants);
+
+    const SolverPasses& passes_;
+    std::pmr::vector<ContactRow<F, 1>> single_;
+    std::pmr::vector<ContactRow<F, 2>> double_;
+    std::pmr::vector<ColorRange> ranges_;
+    std::pmr::vector<std::uint32_t> struck_;       ///< see BounceRound
+    std::pmr::vector<std::array<float, 4>> falls_; ///< see BounceRound
+    PassConstants<float> constants_ = {};
+    float carry_share_ = 0;
+    float settled_within_ = 0; ///< Tolerances::settled_within [m]
+    bool any_bounces_ = false;
+    bool any_belts_ = false; ///< whether a surface has a tangent speed
+};
+
+template <class F>
+void WideContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies,
+                                       const ContactStore& contacts, const ContactConstants& constants)
 {
     if (color.empty()) return;
     ColorRange range = {single_.size(), 0, double_.size(), 0};
@@ -149,12 +230,11 @@ void ContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lan
     range.end_single = single_.size();
     range.end_double = double_.size();
     ranges_.push_back(range);
-    row_count_ += static_cast<int>(color.size());
 }
 
 /// At most so many rows, so that no list grows while it is filled.
 template <class F>
-void ContactSolver<F>::make_room_for_rows(const ColorLists& colors, const ContactStore& contacts)
+void WideContactSolver<F>::make_room_for_rows(const ColorLists& colors, const ContactStore& contacts)
 {
     std::size_t singles = 0;
     std::size_t doubles = 0;
@@ -172,113 +252,54 @@ void ContactSolver<F>::make_room_for_rows(const ColorLists& colors, const Contac
 }
 
 template <class F>
-void ContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts,
-                             const ContactConstants& constants)
+void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts,
+                                 const ContactConstants& constants)
 {
     single_.clear();
     double_.clear();
     ranges_.clear();
     make_room_for_rows(colors, contacts);
-    row_count_ = 0;
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
     settled_within_ = constants.settled_within;
-    pass_ = {F(constants.inv_h), F(constants.push_out_speed), F(constants.restitution_threshold), F(1.25f * constants.dt), F(constants.h)};
+    constants_ = {constants.inv_h, constants.push_out_speed, constants.restitution_threshold, 1.25f * constants.dt, constants.h};
 
     build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
     for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
 }
 
 template <class F>
-template <class Kernel>
-void ContactSolver<F>::for_each_row(std::span<BodyMotion> motions, Kernel&& kernel)
+void WideContactSolver<F>::run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions)
 {
-    const auto run = [&](auto& row)
-    {
-        BodyLanes<F> a = gather<F>(motions, row.body_a);
-        BodyLanes<F> b = gather<F>(motions, row.body_b);
-        kernel(row, a, b);
-        scatter<F>(motions, row.pushed_a, a);
-        scatter<F>(motions, row.pushed_b, b);
-    };
     for (const ColorRange& range : ranges_)
     {
-        for (std::size_t i = range.first_single; i < range.end_single; ++i) run(single_[i]);
-        for (std::size_t i = range.first_double; i < range.end_double; ++i) run(double_[i]);
+        single(single_.data(), range.first_single, range.end_single, floats_of(motions), constants_);
+        pairs(double_.data(), range.first_double, range.end_double, floats_of(motions), constants_);
     }
 }
 
+/// An impact goes on from pair to pair.
 template <class F>
-void ContactSolver<F>::warm_start(std::span<BodyMotion> motions)
-{
-    for_each_row(motions, [](auto& row, auto& a, auto& b) { detail::warm_start(row, a, b); });
-}
-
-template <class F>
-void ContactSolver<F>::solve(std::span<BodyMotion> motions)
-{
-    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::solve(row, pass_, a, b); });
-}
-
-template <class F>
-void ContactSolver<F>::relax(std::span<BodyMotion> motions)
-{
-    for_each_row(motions, [this](auto& row, auto& a, auto& b) { detail::relax(row, pass_, a, b); });
-}
-
-/// How the bodies of a row fall along its normals.
-template <class F, int N>
-FreeFall<F> free_fall_of(const ContactRow<F, N>& row, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
-{
-    LaneVec<F> acceleration = {F(0), F(0)};
-    LaneVec<F> set_back = {F(0), F(0)};
-    for (int i = 0; i < lane_width<F>; ++i)
-    {
-        const std::uint32_t a = row.body_a[static_cast<std::size_t>(i)];
-        const std::uint32_t b = row.body_b[static_cast<std::size_t>(i)];
-        set_lane(acceleration, i, accelerations[b] - accelerations[a]);
-        set_lane(set_back, i, watches[b].set_back - watches[a].set_back);
-    }
-    return {dot(acceleration, row.n), dot(set_back, row.n)};
-}
-
-/// An impact goes on from pair to pair. After the first round only rows whose bodies have been struck since their last visit can bounce.
-template <class F>
-void ContactSolver<F>::bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
+void WideContactSolver<F>::bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
 {
     if (!any_bounces_) return;
     constexpr std::uint32_t most_rounds = 16; // the passes take what is left then
-    struck_.assign(motions.size(), 0);        // the last round, from 1, in which a body was struck
+    struck_.assign(motions.size(), 0);
+    falls_.clear();
+    falls_.reserve(motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        falls_.push_back({accelerations[i].x, accelerations[i].y, watches[i].set_back.x, watches[i].set_back.y});
     bool goes_on = true;
     for (std::uint32_t round = 1; goes_on && round <= most_rounds; ++round)
     {
         goes_on = false;
-        const auto is_struck = [&](std::uint32_t body) { return body != 0 && struck_[body] + 1 >= round && struck_[body] > 0; };
-        const auto run = [&](auto& row)
-        {
-            bool may = round == 1 && row.may_bounce;
-            for (std::size_t i = 0; i < lane_width<F>; ++i) may = may || is_struck(row.pushed_a[i]) || is_struck(row.pushed_b[i]);
-            if (!may) return;
-            BodyLanes<F> a = gather<F>(motions, row.body_a);
-            BodyLanes<F> b = gather<F>(motions, row.body_b);
-            const F bounced = detail::bounce(row, pass_, a, b, free_fall_of(row, watches, accelerations));
-            BodyIndices<F> to_a = {};
-            BodyIndices<F> to_b = {};
-            for (int i = 0; i < lane_width<F>; ++i)
-            {
-                const auto at = static_cast<std::size_t>(i);
-                if (!(lane(bounced, i) > 0)) continue;
-                struck_[to_a[at] = row.pushed_a[at]] = round;
-                struck_[to_b[at] = row.pushed_b[at]] = round;
-                goes_on = true;
-            }
-            scatter<F>(motions, to_a, a);
-            scatter<F>(motions, to_b, b);
-        };
+        const BounceRound now = {falls_.front().data(), struck_.data(), round};
+        const auto visit = [&](BouncePass pass, void* rows, std::size_t begin, std::size_t end)
+        { goes_on = pass(rows, begin, end, floats_of(motions), constants_, now) || goes_on; };
         for (const ColorRange& range : ranges_)
         {
-            for (std::size_t i = range.first_single; i < range.end_single; ++i) run(single_[i]);
-            for (std::size_t i = range.first_double; i < range.end_double; ++i) run(double_[i]);
+            visit(passes_.single.bounce, single_.data(), range.first_single, range.end_single);
+            visit(passes_.pairs.bounce, double_.data(), range.first_double, range.end_double);
         }
     }
 }
@@ -286,7 +307,7 @@ void ContactSolver<F>::bounce(std::span<BodyMotion> motions, std::span<const Bod
 /// Calls action(row, lane, contact slot) for every lane that holds a contact.
 template <class F>
 template <class Action>
-void ContactSolver<F>::for_each_contact(Action&& action) const
+void WideContactSolver<F>::for_each_contact(Action&& action) const
 {
     const auto visit = [&](const auto& row)
     {
@@ -298,7 +319,7 @@ void ContactSolver<F>::for_each_contact(Action&& action) const
 }
 
 template <class F>
-void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const
+void WideContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const
 {
     for_each_contact([&](const auto& row, int i, std::uint32_t slot)
     {
@@ -331,47 +352,68 @@ void ContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatc
 
 /// A belt is at work while what it carries moves along it, be it slower than the belt; under a body that is held fast it is not.
 template <class F>
-void ContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const
+void WideContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const
 {
     if (!any_belts_) return;
-    for_each_contact([&](const auto& row, int i, std::uint32_t)
+    for_each_contact([&](const auto& wide, int i, std::uint32_t)
     {
-        const float belt = lane(row.tangent_speed, i);
+        const float belt = lane(wide.tangent_speed, i);
         if (belt == 0) return;
-        const BodyLanes<F> a = gather<F>(motions, row.body_a);
-        const BodyLanes<F> b = gather<F>(motions, row.body_b);
-        for (const PointRow<F>& point : row.points)
+        const auto row = lane_of(wide, i);
+        const BodyLanes<float> a = gather(motions, row.body_a);
+        const BodyLanes<float> b = gather(motions, row.body_b);
+        for (const PointRow<float>& point : row.points)
         {
-            const float vt = lane(dot(relative_velocity(point, a, b), right_perp(row.n)), i);
-            if (lane(point.total_n, i) <= 0 || !is_at_work(vt, belt)) continue;
-            for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
+            const float vt = dot(relative_velocity(point, a, b), right_perp(row.n));
+            if (point.total_n <= 0 || !is_at_work(vt, belt)) continue;
+            for (const std::uint32_t body : {row.pushed_a[0], row.pushed_b[0]})
                 if (body != 0) watches[body].is_driven = true;
         }
     });
 }
 
 template <class F>
-void ContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
+void WideContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
 {
-    const F pending = F(is_within_substep ? 1.0f : 0.0f);
-    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
+    const float pending = is_within_substep ? 1.0f : 0.0f;
+    for_each_contact([&](const auto& wide, int i, std::uint32_t slot)
     {
-        const BodyLanes<F> a = gather<F>(motions, row.body_a);
-        const BodyLanes<F> b = gather<F>(motions, row.body_b);
+        const auto row = lane_of(wide, i);
+        const BodyLanes<float> a = gather(motions, row.body_a);
+        const BodyLanes<float> b = gather(motions, row.body_b);
         ContactManifold& manifold = manifolds[slot];
-        manifold.total_rolling = lane(row.rolling_total + pending * row.rolling_lambda, i);
+        manifold.total_rolling = row.rolling_total + pending * row.rolling_lambda;
         for (std::size_t p = 0; p < row.points.size(); ++p)
         {
-            const PointRow<F>& from = row.points[p];
+            const PointRow<float>& from = row.points[p];
             ContactPointState& point = manifold.points[p];
-            const LaneVec<F> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
-            point.position += 0.5f * Vec2{lane(way.x, i), lane(way.y, i)}; // halfway between the surfaces
-            point.separation = lane(separation(row, from, a, b), i);
-            point.total_normal = lane(from.total_n + pending * from.lambda_n, i);
-            point.total_tangent = lane(from.total_t + pending * from.lambda_t, i);
-            point.normal_velocity = lane(from.normal_velocity, i);
+            const LaneVec<float> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
+            point.position += 0.5f * Vec2{way.x, way.y}; // halfway between the surfaces
+            point.separation = separation(row, from, a, b);
+            point.total_normal = from.total_n + pending * from.lambda_n;
+            point.total_tangent = from.total_t + pending * from.lambda_t;
+            point.normal_velocity = from.normal_velocity;
         }
     });
+}
+
+template <class F>
+ContactSolverPtr make_wide(const SolverPasses& passes, std::pmr::memory_resource& arena)
+{
+    return ContactSolverPtr(std::pmr::polymorphic_allocator<>(&arena).new_object<WideContactSolver<F>>(passes, arena));
+}
+
+} // namespace
+
+ContactSolverPtr make_contact_solver(const SolverPasses& passes, std::pmr::memory_resource& arena)
+{
+    switch (passes.lanes)
+    {
+    case 4: return make_wide<LaneArray<4>>(passes, arena);
+    case 8: return make_wide<LaneArray<8>>(passes, arena);
+    case 16: return make_wide<LaneArray<16>>(passes, arena);
+    default: return make_wide<float>(passes, arena);
+    }
 }
 
 } // namespace carom::detail

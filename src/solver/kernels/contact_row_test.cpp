@@ -1,5 +1,7 @@
 // What each kernel must keep: momentum, angular momentum, the friction cone, unilateral pushing.
-#include "solver/contact_row.hpp"
+#include "solver/kernels/contact_row.hpp"
+
+#include <carom/math.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,18 +1,17 @@
-// The contact solver in four lanes gives the bits of the scalar one.
-#include "solver/contact_solver_impl.hpp"
-#include "solver/four_lanes.hpp"
+// The contact solver gives the bits of the scalar one in the lanes of every instruction set.
+#include "solver/isa/dispatch.hpp"
+#include "solver/rows/contact_solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <memory_resource>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace carom::detail
 {
-
-template class ContactSolver<FourLanes>;
 
 namespace
 {
@@ -74,10 +73,11 @@ struct RandomPile
     ColorLists colors() const { return {contacts, *std::pmr::new_delete_resource()}; }
 };
 
-template <class F>
-void run(RandomPile& pile)
+void run(RandomPile& pile, Simd simd)
 {
-    ContactSolver<F> solver(*std::pmr::new_delete_resource());
+    std::pmr::monotonic_buffer_resource arena;
+    const ContactSolverPtr rows = make_contact_solver(passes_of(simd), arena);
+    ContactSolver& solver = *rows;
     const ContactConstants constants = make_contact_constants({}, 1 / 60.0f, 1 / 240.0f, 1 / 480.0f);
     solver.build(pile.colors(), pile.bodies, pile.contacts, constants);
     std::span<BodyMotion> motions = pile.bodies.motions;
@@ -98,56 +98,66 @@ void run(RandomPile& pile)
     solver.store_impulses(pile.contacts, pile.bodies.watches);
 }
 
-void expect_same_bits(const RandomPile& one, const RandomPile& four)
+bool has_same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+void expect_same_bits(const RandomPile& one, const RandomPile& wide)
 {
     for (std::size_t i = 0; i < one.bodies.motions.size(); ++i)
     {
         ASSERT_TRUE(length(one.bodies.motions[i].v) < 1e12f) << "motion " << i; // a comparison of NaNs would show nothing
-        ASSERT_EQ(std::memcmp(&one.bodies.motions[i], &four.bodies.motions[i], sizeof(BodyMotion)), 0) << "motion " << i;
+        ASSERT_EQ(std::memcmp(&one.bodies.motions[i], &wide.bodies.motions[i], sizeof(BodyMotion)), 0) << "motion " << i;
     }
     for (std::uint32_t slot = 0; slot < one.contacts.slots.size(); ++slot)
     {
         const ContactManifold& a = one.contacts.manifolds[slot];
-        const ContactManifold& b = four.contacts.manifolds[slot];
-        ASSERT_TRUE(same_bits(a.total_rolling, b.total_rolling) && same_bits(a.carried_impulse, b.carried_impulse)) << slot;
+        const ContactManifold& b = wide.contacts.manifolds[slot];
+        ASSERT_TRUE(has_same_bits(a.total_rolling, b.total_rolling) && has_same_bits(a.carried_impulse, b.carried_impulse)) << slot;
         for (std::size_t p = 0; p < static_cast<std::size_t>(a.count); ++p)
         {
-            ASSERT_TRUE(same_bits(a.points[p].normal_impulse, b.points[p].normal_impulse)) << slot;
-            ASSERT_TRUE(same_bits(a.points[p].tangent_impulse, b.points[p].tangent_impulse)) << slot;
-            ASSERT_TRUE(same_bits(a.points[p].total_normal, b.points[p].total_normal)) << slot;
-            ASSERT_TRUE(same_bits(a.points[p].normal_velocity, b.points[p].normal_velocity)) << slot;
+            ASSERT_TRUE(has_same_bits(a.points[p].normal_impulse, b.points[p].normal_impulse)) << slot;
+            ASSERT_TRUE(has_same_bits(a.points[p].tangent_impulse, b.points[p].tangent_impulse)) << slot;
+            ASSERT_TRUE(has_same_bits(a.points[p].total_normal, b.points[p].total_normal)) << slot;
+            ASSERT_TRUE(has_same_bits(a.points[p].normal_velocity, b.points[p].normal_velocity)) << slot;
         }
     }
 }
 
-TEST(ContactLanes, FourLanesGiveTheBitsOfOne)
+class ContactLanes : public testing::TestWithParam<Simd>
 {
+};
+
+TEST_P(ContactLanes, give_the_bits_of_one)
+{
+    if (!is_available(GetParam())) GTEST_SKIP() << "this machine does not have it";
     for (unsigned seed = 0; seed < 30; ++seed)
     {
         RandomPile one(seed);
-        RandomPile four(seed);
+        RandomPile wide(seed);
         ASSERT_FALSE(one.colors().list(overflow_color).empty());
-        run<float>(one);
-        run<FourLanes>(four);
-        expect_same_bits(one, four);
+        run(one, Simd::Scalar);
+        run(wide, GetParam());
+        expect_same_bits(one, wide);
         if (HasFatalFailure()) return;
     }
 }
 
-TEST(ContactLanes, WhatNothingPushesIsNotWritten)
+TEST_P(ContactLanes, do_not_write_what_nothing_pushes)
 {
+    if (!is_available(GetParam())) GTEST_SKIP() << "this machine does not have it";
     RandomPile pile(1);
     const RandomPile before(1);
-    run<FourLanes>(pile);
+    run(pile, GetParam());
     for (std::uint32_t body = 0; body < RandomPile::body_count; ++body)
     {
         if (pile.bodies.is_dynamic(body)) continue;
-        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).x, before.bodies.velocity(body).x));
-        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).y, before.bodies.velocity(body).y));
-        ASSERT_TRUE(same_bits(pile.bodies.spin(body), before.bodies.spin(body)));
+        ASSERT_TRUE(has_same_bits(pile.bodies.velocity(body).x, before.bodies.velocity(body).x));
+        ASSERT_TRUE(has_same_bits(pile.bodies.velocity(body).y, before.bodies.velocity(body).y));
+        ASSERT_TRUE(has_same_bits(pile.bodies.spin(body), before.bodies.spin(body)));
     }
     EXPECT_EQ(pile.bodies.motions[0].v, Vec2{});
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ContactLanes, testing::ValuesIn(all_simd), [](const auto& simd) { return std::string(name_of(simd.param)); });
 
 } // namespace
 } // namespace carom::detail

@@ -1,0 +1,112 @@
+// Definitions of the passes, for the one file of each instruction set. Every function here is a template over the lane type: the linker keeps one copy
+// of an inline function, and must never take that of one instruction set for another. tests: isa_symbols
+#pragma once
+
+#include "solver/isa/contact_passes.hpp"
+
+namespace carom::detail
+{
+
+template <class F>
+PassConstants<F> widened(const PassConstants<float>& k)
+{
+    return {F(k.inv_h), F(k.push_out_speed), F(k.restitution_threshold), F(k.reach), F(k.h)};
+}
+
+template <class F, int N, class Kernel>
+void for_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const Kernel& kernel)
+{
+    for (std::size_t i = begin; i < end; ++i)
+    {
+        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[i];
+        BodyLanes<F> a = gather(motions, row.body_a);
+        BodyLanes<F> b = gather(motions, row.body_b);
+        kernel(row, a, b);
+        scatter(motions, row.pushed_a, a);
+        scatter(motions, row.pushed_b, b);
+    }
+}
+
+template <class F, int N>
+[[gnu::flatten]] void warm_start_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>&)
+{
+    for_rows<F, N>(rows, begin, end, motions, [](auto& row, auto& a, auto& b) { warm_start(row, a, b); });
+}
+
+template <class F, int N>
+[[gnu::flatten]] void solve_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants)
+{
+    const PassConstants<F> k = widened<F>(constants);
+    for_rows<F, N>(rows, begin, end, motions, [&](auto& row, auto& a, auto& b) { solve(row, k, a, b); });
+}
+
+template <class F, int N>
+[[gnu::flatten]] void relax_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants)
+{
+    const PassConstants<F> k = widened<F>(constants);
+    for_rows<F, N>(rows, begin, end, motions, [&](auto& row, auto& a, auto& b) { relax(row, k, a, b); });
+}
+
+/// How the bodies of a row fall along its normals.
+template <class F, int N>
+FreeFall<F> free_fall_of(const ContactRow<F, N>& row, const float* falls)
+{
+    const auto difference = [&](std::size_t component)
+    {
+        float lanes[static_cast<std::size_t>(lane_width<F>)];
+        for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i)
+            lanes[i] = falls[4 * row.body_b[i] + component] - falls[4 * row.body_a[i] + component];
+        F wide;
+        __builtin_memcpy(&wide, lanes, sizeof wide);
+        return wide;
+    };
+    return {dot(LaneVec<F>{difference(0), difference(1)}, row.n), dot(LaneVec<F>{difference(2), difference(3)}, row.n)};
+}
+
+/// After the first round only rows whose bodies have been struck since their last visit can bounce.
+template <class F, int N>
+bool may_bounce_now(const ContactRow<F, N>& row, const BounceRound& now)
+{
+    if (now.round == 1 && row.may_bounce) return true;
+    const auto is_struck = [&](std::uint32_t body) { return body != 0 && now.struck[body] > 0 && now.struck[body] + 1 >= now.round; };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i)
+        if (is_struck(row.pushed_a[i]) || is_struck(row.pushed_b[i])) return true;
+    return false;
+}
+
+template <class F, int N>
+[[gnu::flatten]] bool bounce_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants,
+                                  const BounceRound& now)
+{
+    const PassConstants<F> k = widened<F>(constants);
+    bool any = false;
+    for (std::size_t r = begin; r < end; ++r)
+    {
+        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[r];
+        if (!may_bounce_now(row, now)) continue;
+        BodyLanes<F> a = gather(motions, row.body_a);
+        BodyLanes<F> b = gather(motions, row.body_b);
+        const F bounced = bounce(row, k, a, b, free_fall_of(row, now.falls));
+        BodyIndices<F> to_a = {};
+        BodyIndices<F> to_b = {};
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            const auto at = static_cast<std::size_t>(i);
+            if (!(lane(bounced, i) > 0)) continue;
+            now.struck[to_a[at] = row.pushed_a[at]] = now.round;
+            now.struck[to_b[at] = row.pushed_b[at]] = now.round;
+            any = true;
+        }
+        scatter(motions, to_a, a);
+        scatter(motions, to_b, b);
+    }
+    return any;
+}
+
+template <class F, int N>
+inline constexpr ContactPasses contact_passes = {&warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>, &bounce_rows<F, N>};
+
+template <class F>
+inline constexpr SolverPasses solver_passes = {lane_width<F>, contact_passes<F, 1>, contact_passes<F, 2>};
+
+} // namespace carom::detail

@@ -1,0 +1,15 @@
+// Eight lanes. Compiled for AVX2.
+#include "solver/isa/wide_lanes.hpp"
+
+#include "solver/isa/contact_passes_impl.hpp"
+
+#if defined(__x86_64__)
+
+namespace carom::detail
+{
+
+const SolverPasses& avx2_passes() { return solver_passes<Lanes<8>>; }
+
+} // namespace carom::detail
+
+#endif

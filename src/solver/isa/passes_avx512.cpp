@@ -1,0 +1,15 @@
+// Sixteen lanes. Compiled for AVX-512 with its F, DQ and VL parts.
+#include "solver/isa/wide_lanes.hpp"
+
+#include "solver/isa/contact_passes_impl.hpp"
+
+#if defined(__x86_64__)
+
+namespace carom::detail
+{
+
+const SolverPasses& avx512_passes() { return solver_passes<Lanes<16>>; }
+
+} // namespace carom::detail
+
+#endif

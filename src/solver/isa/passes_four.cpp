@@ -1,0 +1,11 @@
+// Four lanes, which every machine has: SSE2, NEON or WASM.
+#include "solver/isa/wide_lanes.hpp"
+
+#include "solver/isa/contact_passes_impl.hpp"
+
+namespace carom::detail
+{
+
+const SolverPasses& four_lane_passes() { return solver_passes<Lanes<4>>; }
+
+} // namespace carom::detail

@@ -1,0 +1,9 @@
+// One lane: the reference.
+#include "solver/isa/contact_passes_impl.hpp"
+
+namespace carom::detail
+{
+
+const SolverPasses& scalar_passes() { return solver_passes<float>; }
+
+} // namespace carom::detail

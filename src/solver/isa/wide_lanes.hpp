@@ -1,0 +1,311 @@
+// Lanes in the registers of an instruction set: 4 of SSE2, NEON or WASM, 8 of AVX2, 16 of AVX-512. Which of them there are depends on the flags of
+// the file that includes this. Each operation gives the bits that `float` gives in math/lanes.hpp.
+#pragma once
+
+#include "solver/kernels/body_lanes.hpp"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace carom::detail
+{
+
+/// Registers as the compilers' vector extensions have them.
+template <int Width>
+struct Registers;
+
+template <>
+struct Registers<4>
+{
+    using Floats = float __attribute__((vector_size(16)));
+    using Ints = int __attribute__((vector_size(16)));
+};
+
+template <>
+struct Registers<8>
+{
+    using Floats = float __attribute__((vector_size(32)));
+    using Ints = int __attribute__((vector_size(32)));
+};
+
+template <>
+struct Registers<16>
+{
+    using Floats = float __attribute__((vector_size(64)));
+    using Ints = int __attribute__((vector_size(64)));
+};
+
+/// `Width` floats.
+template <int Width>
+struct Lanes
+{
+    using Vector = typename Registers<Width>::Floats;
+
+    Lanes() = default;
+    explicit Lanes(float all)
+    {
+        for (int i = 0; i < Width; ++i) v[i] = all;
+    }
+    Lanes(Vector vector) : v(vector) {}
+
+    Vector v;
+};
+
+/// Where a comparison holds: all bits of a lane are set, or none.
+template <int Width>
+struct LaneMask
+{
+    typename Registers<Width>::Ints v;
+};
+
+template <int Width>
+struct LaneTraits<Lanes<Width>>
+{
+    static constexpr int width = Width;
+    using Mask = LaneMask<Width>;
+};
+
+template <int Width>
+Lanes<Width> operator+(Lanes<Width> a, Lanes<Width> b)
+{
+    return a.v + b.v;
+}
+template <int Width>
+Lanes<Width> operator-(Lanes<Width> a, Lanes<Width> b)
+{
+    return a.v - b.v;
+}
+template <int Width>
+Lanes<Width> operator*(Lanes<Width> a, Lanes<Width> b)
+{
+    return a.v * b.v;
+}
+template <int Width>
+Lanes<Width> operator/(Lanes<Width> a, Lanes<Width> b)
+{
+    return a.v / b.v;
+}
+template <int Width>
+Lanes<Width> operator-(Lanes<Width> a)
+{
+    return -a.v;
+}
+template <int Width>
+LaneMask<Width> operator>(Lanes<Width> a, Lanes<Width> b)
+{
+    return {a.v > b.v};
+}
+template <int Width>
+LaneMask<Width> operator<(Lanes<Width> a, Lanes<Width> b)
+{
+    return {a.v < b.v};
+}
+template <int Width>
+LaneMask<Width> operator&(LaneMask<Width> a, LaneMask<Width> b)
+{
+    return {a.v & b.v};
+}
+template <int Width>
+Lanes<Width> select(LaneMask<Width> mask, Lanes<Width> yes, Lanes<Width> no)
+{
+    return mask.v ? yes.v : no.v;
+}
+
+// The instructions for the larger and the smaller give the second where either is not a number or both are zero, as `a > b ? a : b` does. A
+// comparison and a blend in their place cost half of the speed.
+
+template <int Width>
+Lanes<Width> lane_max(Lanes<Width> a, Lanes<Width> b)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return _mm_max_ps(a.v, b.v);
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return _mm256_max_ps(a.v, b.v);
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return _mm512_max_ps(a.v, b.v);
+#endif
+    return a.v > b.v ? a.v : b.v;
+}
+
+template <int Width>
+Lanes<Width> lane_min(Lanes<Width> a, Lanes<Width> b)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return _mm_min_ps(a.v, b.v);
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return _mm256_min_ps(a.v, b.v);
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return _mm512_min_ps(a.v, b.v);
+#endif
+    return a.v < b.v ? a.v : b.v;
+}
+
+template <int Width>
+Lanes<Width> lane_sqrt(Lanes<Width> a)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return _mm_sqrt_ps(a.v);
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return _mm256_sqrt_ps(a.v);
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return _mm512_sqrt_ps(a.v);
+#endif
+    Lanes<Width> root;
+    for (int i = 0; i < Width; ++i) root.v[i] = __builtin_sqrtf(a.v[i]);
+    return root;
+}
+
+template <int Width>
+float lane(const Lanes<Width>& lanes, int i)
+{
+    return lanes.v[i];
+}
+
+#if defined(__SSE2__) && !defined(__AVX2__)
+
+/// The first four floats of four bodies, and four columns of them: x of each, y of each, ...
+template <class Tag>
+struct Quad
+{
+    __m128 x, y, z, w;
+};
+
+/// Rows to columns.
+template <class Tag>
+Quad<Tag> transposed(Quad<Tag> q)
+{
+    const __m128 xy_01 = _mm_unpacklo_ps(q.x, q.y);
+    const __m128 xy_23 = _mm_unpacklo_ps(q.z, q.w);
+    const __m128 zw_01 = _mm_unpackhi_ps(q.x, q.y);
+    const __m128 zw_23 = _mm_unpackhi_ps(q.z, q.w);
+    return {_mm_movelh_ps(xy_01, xy_23), _mm_movehl_ps(xy_23, xy_01), _mm_movelh_ps(zw_01, zw_23), _mm_movehl_ps(zw_23, zw_01)};
+}
+
+inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<4>>& indices)
+{
+    const auto half = [&](std::size_t from) -> Quad<Lanes<4>>
+    {
+        const auto body = [&](std::size_t i) { return _mm_loadu_ps(motions + motion_floats * indices[i] + from); };
+        return transposed<Lanes<4>>({body(0), body(1), body(2), body(3)});
+    };
+    const Quad<Lanes<4>> lower = half(0);
+    const Quad<Lanes<4>> upper = half(4);
+    return {{lower.x, lower.y}, lower.z, {lower.w, upper.x}, {upper.y, upper.z}};
+}
+
+/// The way along x, which no kernel changes, is written back beside the velocities.
+inline void scatter(float* motions, const BodyIndices<Lanes<4>>& indices, const BodyLanes<Lanes<4>>& lanes)
+{
+    const Quad<Lanes<4>> bodies = transposed<Lanes<4>>({lanes.v.x.v, lanes.v.y.v, lanes.w.v, lanes.dp.x.v});
+    const auto store = [&](std::size_t i, __m128 body)
+    {
+        if (indices[i] != 0) _mm_storeu_ps(motions + motion_floats * indices[i], body);
+    };
+    store(0, bodies.x);
+    store(1, bodies.y);
+    store(2, bodies.z);
+    store(3, bodies.w);
+}
+
+#endif
+
+#if defined(__AVX2__)
+
+/// Eight bodies, a column of each of their floats.
+template <class Tag>
+struct Octet
+{
+    __m256 v_x, v_y, w, dp_x, dp_y, dq_c, dq_s;
+};
+
+template <class Tag>
+Octet<Tag> gather_octet(const float* motions, const std::uint32_t* indices)
+{
+    const auto body = [&](std::size_t i) { return _mm256_loadu_ps(motions + motion_floats * indices[i]); };
+    const __m256 b0 = body(0), b1 = body(1), b2 = body(2), b3 = body(3), b4 = body(4), b5 = body(5), b6 = body(6), b7 = body(7);
+    // Pairs of bodies: floats 0 and 1 (and 4 and 5), floats 2 and 3 (and 6 and 7).
+    const __m256 lo_01 = _mm256_unpacklo_ps(b0, b1), hi_01 = _mm256_unpackhi_ps(b0, b1);
+    const __m256 lo_23 = _mm256_unpacklo_ps(b2, b3), hi_23 = _mm256_unpackhi_ps(b2, b3);
+    const __m256 lo_45 = _mm256_unpacklo_ps(b4, b5), hi_45 = _mm256_unpackhi_ps(b4, b5);
+    const __m256 lo_67 = _mm256_unpacklo_ps(b6, b7), hi_67 = _mm256_unpackhi_ps(b6, b7);
+    // Four bodies a float: float k in the lower half, float k + 4 in the upper.
+    constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
+    const __m256 f0_a = _mm256_shuffle_ps(lo_01, lo_23, first), f0_b = _mm256_shuffle_ps(lo_45, lo_67, first);
+    const __m256 f1_a = _mm256_shuffle_ps(lo_01, lo_23, second), f1_b = _mm256_shuffle_ps(lo_45, lo_67, second);
+    const __m256 f2_a = _mm256_shuffle_ps(hi_01, hi_23, first), f2_b = _mm256_shuffle_ps(hi_45, hi_67, first);
+    const __m256 f3_a = _mm256_shuffle_ps(hi_01, hi_23, second), f3_b = _mm256_shuffle_ps(hi_45, hi_67, second);
+    constexpr int lower = 0x20, upper = 0x31;
+    return {_mm256_permute2f128_ps(f0_a, f0_b, lower), _mm256_permute2f128_ps(f1_a, f1_b, lower), _mm256_permute2f128_ps(f2_a, f2_b, lower),
+            _mm256_permute2f128_ps(f3_a, f3_b, lower), _mm256_permute2f128_ps(f0_a, f0_b, upper), _mm256_permute2f128_ps(f1_a, f1_b, upper),
+            _mm256_permute2f128_ps(f2_a, f2_b, upper)};
+}
+
+/// Writes the first four floats of eight bodies.
+template <class Tag>
+void scatter_octet(float* motions, const std::uint32_t* indices, __m256 v_x, __m256 v_y, __m256 w, __m256 dp_x)
+{
+    const __m256 v_lo = _mm256_unpacklo_ps(v_x, v_y), v_hi = _mm256_unpackhi_ps(v_x, v_y);
+    const __m256 w_lo = _mm256_unpacklo_ps(w, dp_x), w_hi = _mm256_unpackhi_ps(w, dp_x);
+    const auto store = [&](std::size_t i, __m128 body)
+    {
+        if (indices[i] != 0) _mm_storeu_ps(motions + motion_floats * indices[i], body);
+    };
+    const auto store_both = [&](std::size_t i, __m256 bodies)
+    {
+        store(i, _mm256_castps256_ps128(bodies));
+        store(i + 4, _mm256_extractf128_ps(bodies, 1));
+    };
+    constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
+    store_both(0, _mm256_shuffle_ps(v_lo, w_lo, first));
+    store_both(1, _mm256_shuffle_ps(v_lo, w_lo, second));
+    store_both(2, _mm256_shuffle_ps(v_hi, w_hi, first));
+    store_both(3, _mm256_shuffle_ps(v_hi, w_hi, second));
+}
+
+#if !defined(__AVX512F__)
+
+inline BodyLanes<Lanes<8>> gather(const float* motions, const BodyIndices<Lanes<8>>& indices)
+{
+    const Octet<Lanes<8>> o = gather_octet<Lanes<8>>(motions, indices.at);
+    return {{o.v_x, o.v_y}, o.w, {o.dp_x, o.dp_y}, {o.dq_c, o.dq_s}};
+}
+
+inline void scatter(float* motions, const BodyIndices<Lanes<8>>& indices, const BodyLanes<Lanes<8>>& lanes)
+{
+    scatter_octet<Lanes<8>>(motions, indices.at, lanes.v.x.v, lanes.v.y.v, lanes.w.v, lanes.dp.x.v);
+}
+
+#endif
+#endif
+
+#if defined(__AVX512F__)
+
+inline BodyLanes<Lanes<16>> gather(const float* motions, const BodyIndices<Lanes<16>>& indices)
+{
+    const Octet<Lanes<16>> l = gather_octet<Lanes<16>>(motions, indices.at);
+    const Octet<Lanes<16>> r = gather_octet<Lanes<16>>(motions, indices.at + 8);
+    const auto both = [](__m256 low, __m256 high) { return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1); };
+    return {{both(l.v_x, r.v_x), both(l.v_y, r.v_y)},
+            both(l.w, r.w),
+            {both(l.dp_x, r.dp_x), both(l.dp_y, r.dp_y)},
+            {both(l.dq_c, r.dq_c), both(l.dq_s, r.dq_s)}};
+}
+
+inline void scatter(float* motions, const BodyIndices<Lanes<16>>& indices, const BodyLanes<Lanes<16>>& lanes)
+{
+    const auto low = [](__m512 v) { return _mm512_castps512_ps256(v); };
+    const auto high = [](__m512 v) { return _mm512_extractf32x8_ps(v, 1); };
+    scatter_octet<Lanes<16>>(motions, indices.at, low(lanes.v.x.v), low(lanes.v.y.v), low(lanes.w.v), low(lanes.dp.x.v));
+    scatter_octet<Lanes<16>>(motions, indices.at + 8, high(lanes.v.x.v), high(lanes.v.y.v), high(lanes.w.v), high(lanes.dp.x.v));
+}
+
+#endif
+
+} // namespace carom::detail
