@@ -74,8 +74,6 @@ public:
     void solve_consistent();
 
 private:
-    using Block = std::array<double, max_rigid_rows * max_rigid_rows>; ///< row by row
-
     /// An elimination: the joint, and where its front stands in `front_` and `blocks_`.
     struct Column
     {
@@ -104,6 +102,15 @@ private:
         friend bool operator==(const Signature&, const Signature&) = default;
     };
 
+    // Of blocks with as many rows as the joint with most has.
+    template <std::size_t Rows>
+    void factor_blocks();
+    template <std::size_t Rows>
+    void fill_blocks();
+    template <std::size_t Rows>
+    void eliminate_blocks();
+    template <std::size_t Rows>
+    void substitute();
     bool is_planned() const;
     void start_lists();
     std::uint32_t root_of(std::uint32_t body);
@@ -123,9 +130,11 @@ private:
     std::pmr::vector<std::uint32_t> targets_; ///< blocks
     std::pmr::vector<Coupling> couplings_;
     std::pmr::vector<std::uint32_t> place_;                       ///< by joint: its column
-    std::pmr::vector<Block> diagonal_;                            ///< by column; its inverse after factor()
+    std::pmr::vector<double> diagonal_;                           ///< a block by column; its inverse after factor()
     std::pmr::vector<std::array<double, max_rigid_rows>> wanted_; ///< by joint, scratch of solve_consistent()
-    std::pmr::vector<Block> blocks_;                              ///< beside front_: A, then A D^-1
+    std::pmr::vector<double> blocks_;                             ///< a block beside each of front_: A, then A D^-1
+    std::pmr::vector<std::uint32_t> front_places_;                ///< beside front_: the column of the joint
+    std::pmr::vector<double> values_;                             ///< by column, scratch of solve()
 
     // Scratch of a plan.
     std::pmr::vector<std::uint32_t> parent_; ///< by body: merged into
@@ -145,6 +154,7 @@ private:
     std::pmr::vector<float> lightest_;          ///< by component: the inverse mass of its lightest body [1/kg]
     std::pmr::vector<float> heaviest_;          ///< of its heaviest
     std::uint32_t stamp_ = 0;
+    int rows_ = 0; ///< of the joint with most
 };
 
 } // namespace carom::detail

@@ -26,6 +26,8 @@ Articulation::Articulation(std::pmr::memory_resource& memory)
       diagonal_(&memory),
       wanted_(&memory),
       blocks_(&memory),
+      front_places_(&memory),
+      values_(&memory),
       parent_(&memory),
       first_(&memory),
       last_(&memory),
@@ -56,7 +58,12 @@ void Articulation::plan()
     if (!is_planned())
     {
         signature_.clear();
-        for (const ArticulatedJoint& j : joints) signature_.push_back({j.body_a, j.body_b, j.count});
+        rows_ = 0;
+        for (const ArticulatedJoint& j : joints)
+        {
+            signature_.push_back({j.body_a, j.body_b, j.count});
+            rows_ = std::max(rows_, j.count);
+        }
         columns_.clear();
         front_.clear();
         start_lists();
@@ -277,8 +284,8 @@ void Articulation::finish_columns()
         std::sort(front_.begin() + begin, front_.begin() + kept, by_place);
     }
     front_.resize(kept);
-    blocks_.resize(kept);
-    diagonal_.resize(columns_.size());
+    front_places_.clear();
+    for (const std::uint32_t joint : front_) front_places_.push_back(place_[joint]);
     targets_.clear();
     for (Column& column : columns_)
     {

@@ -142,7 +142,7 @@ LaneVec<F> direction_of(const LaneVec<F>& d, F length, const LaneVec<F>& otherwi
     return {select(is_long, d.x * inv, otherwise.x), select(is_long, d.y * inv, otherwise.y)};
 }
 
-/// Revolute: C = d. Its coordinate is the angle.
+/// Revolute: C = d. Its coordinate is the angle, where it has one.
 template <class F>
 void linearise_revolute(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>& a, const BodyLanes<F>& b)
 {
@@ -150,7 +150,7 @@ void linearise_revolute(JointRow<F>& row, const JointPlace<F>& p, const BodyLane
     row.rigid[1] = along_fixed<F>({F(0), F(1)}, p);
     row.error[0] = p.d.x;
     row.error[1] = p.d.y;
-    set_control(row, row.controls[0], turning<F>(), turn_of(row, a, b));
+    if (row.control_count > 0) set_control(row, row.controls[0], turning<F>(), turn_of(row, a, b));
 }
 
 /// Prismatic: C = (n . d, angle) with n across the axis t of A. Its coordinate is t . d.

@@ -36,7 +36,12 @@ inline JointShape shape_of(const JointSpec& spec)
 {
     switch (static_cast<JointType>(spec.index()))
     {
-    case JointType::Revolute: return {2, 1, false, has_limit_or_motor(*std::get_if<RevoluteJoint>(&spec))};
+    case JointType::Revolute:
+    {
+        const auto& pin = *std::get_if<RevoluteJoint>(&spec);
+        const bool has_ends = has_limit_or_motor(pin);
+        return {2, has_ends || pin.spring ? 1 : 0, false, has_ends}; // nobody asks for the angle of a mere pin
+    }
     case JointType::Prismatic: return {2, 1, false, has_limit_or_motor(*std::get_if<PrismaticJoint>(&spec))};
     case JointType::Distance:
     {
@@ -274,6 +279,7 @@ void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyL
         joint.controls[c] = {lane(control.lambda_spring, i), lane(control.lambda_motor, i), lane(control.lambda_lower, i),
                              lane(control.lambda_upper, i)};
     }
+    if (row.control_count == 0) joint.controls = {};
     if (row.has_drive) joint.drive = {lane(row.drive.lambda.x, i), lane(row.drive.lambda.y, i)};
     joint.force = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
     joint.torque = inv_dt * lane(row.total_twist, i);
