@@ -22,6 +22,8 @@ inline constexpr int lane_width = LaneTraits<F>::width;
 
 /// Lane by lane: where the mask is set the first, else the second.
 inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
+/// Whether any lane of a mask is set.
+inline bool any(bool mask) { return mask; }
 inline float lane_max(float a, float b) { return a > b ? a : b; }
 inline float lane_min(float a, float b) { return a < b ? a : b; }
 inline float lane_sqrt(float a) { return __builtin_sqrtf(a); }

@@ -15,6 +15,10 @@ namespace carom::detail
 /// @param motions see motion_floats
 using ContactPass = void (*)(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants);
 
+/// The pass over rows that have just been filled.
+/// @return whether any may bounce
+using PreparePass = bool (*)(void* rows, std::size_t begin, std::size_t end, const float* motions, const PassConstants<float>& constants);
+
 /// What a round of bounces knows besides.
 struct BounceRound
 {
@@ -30,6 +34,7 @@ using BouncePass = bool (*)(void* rows, std::size_t begin, std::size_t end, floa
 /// Of rows with as many points as one another.
 struct ContactPasses
 {
+    PreparePass prepare;
     ContactPass warm_start;
     ContactPass solve;
     ContactPass relax;

@@ -28,6 +28,20 @@ void for_rows(void* rows, std::size_t begin, std::size_t end, float* motions, co
 }
 
 template <class F, int N>
+[[gnu::flatten]] bool prepare_rows(void* rows, std::size_t begin, std::size_t end, const float* motions, const PassConstants<float>& constants)
+{
+    const PassConstants<F> k = widened<F>(constants);
+    bool any_bounces = false;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[i];
+        prepare(row, k, gather(motions, row.body_a), gather(motions, row.body_b));
+        any_bounces = any_bounces || row.may_bounce;
+    }
+    return any_bounces;
+}
+
+template <class F, int N>
 [[gnu::flatten]] void warm_start_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>&)
 {
     for_rows<F, N>(rows, begin, end, motions, [](auto& row, auto& a, auto& b) { warm_start(row, a, b); });
@@ -104,7 +118,7 @@ template <class F, int N>
 }
 
 template <class F, int N>
-inline constexpr ContactPasses contact_passes = {&warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>, &bounce_rows<F, N>};
+inline constexpr ContactPasses contact_passes = {&prepare_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>, &bounce_rows<F, N>};
 
 template <class F>
 inline constexpr SolverPasses solver_passes = {lane_width<F>, contact_passes<F, 1>, contact_passes<F, 2>};

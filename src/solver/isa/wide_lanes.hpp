@@ -112,6 +112,23 @@ Lanes<Width> select(LaneMask<Width> mask, Lanes<Width> yes, Lanes<Width> no)
     return mask.v ? yes.v : no.v;
 }
 
+template <int Width>
+bool any(LaneMask<Width> mask)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return _mm_movemask_ps(reinterpret_cast<__m128>(mask.v)) != 0;
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return _mm256_movemask_ps(reinterpret_cast<__m256>(mask.v)) != 0;
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask.v)) != 0;
+#endif
+    for (int i = 0; i < Width; ++i)
+        if (mask.v[i] != 0) return true;
+    return false;
+}
+
 // The instructions for the larger and the smaller give the second where either is not a number or both are zero, as `a > b ? a : b` does. A
 // comparison and a blend in their place cost half of the speed.
 

@@ -64,7 +64,7 @@ struct ContactRow
     F carried; ///< lambda_c of each point
     std::array<PointRow<F>, Points> points;
     LaneIndices<F> contact; ///< where the lane's results go back to
-    bool may_bounce;        ///< whether any lane approaches fast enough
+    bool may_bounce;        ///< whether any lane approaches fast enough to bounce
 };
 
 /// What the kernels of a pass share.
@@ -112,6 +112,41 @@ F separation(const ContactRow<F, N>& row, const PointRow<F>& point, const BodyLa
     const LaneVec<F> way = (b.dp + rotate(b.dq, point.r_b)) - (a.dp + rotate(a.dq, point.r_a));
     const F under_the_point = row.core_a * (a.dq.c - F(1)) + row.core_b * (b.dq.c - F(1));
     return dot(way, row.n) + under_the_point + point.adjusted_separation;
+}
+
+/// 1 / k, and 0 of what nothing can move.
+template <class F>
+F mass_of(F k)
+{
+    return select(k > F(0), F(1) / k, F(0));
+}
+
+/// 1 / m along a direction u at a point.
+template <class F, int N>
+F inverse_mass_along(const ContactRow<F, N>& row, const PointRow<F>& point, const LaneVec<F>& u)
+{
+    const LaneVec<F> inv_mass = row.inv_mass_a + row.inv_mass_b;
+    const F arm_a = cross(point.r_a, u);
+    const F arm_b = cross(point.r_b, u);
+    return inv_mass.x * u.x * u.x + inv_mass.y * u.y * u.y + row.inv_inertia_a * arm_a * arm_a + row.inv_inertia_b * arm_b * arm_b;
+}
+
+/// What follows from bodies, normal and points of a row that has just been filled, when `adjusted_separation` is still the separation.
+template <class F, int N>
+void prepare(ContactRow<F, N>& row, const PassConstants<F>& k, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    row.rolling_mass = mass_of(row.inv_inertia_a + row.inv_inertia_b);
+    row.may_bounce = false;
+    for (PointRow<F>& point : row.points)
+    {
+        point.adjusted_separation = point.adjusted_separation - dot(point.r_b - point.r_a, row.n);
+        point.normal_velocity = dot(relative_velocity(point, a, b), row.n);
+        point.normal_mass = mass_of(inverse_mass_along(row, point, row.n));
+        point.tangent_mass = mass_of(inverse_mass_along(row, point, right_perp(row.n)));
+        // Or nearly fast enough: the kernel decides.
+        const auto is_fast = point.normal_velocity < F(-0.99f) * k.restitution_threshold;
+        row.may_bounce = row.may_bounce || any(is_fast & (row.restitution > F(0)));
+    }
 }
 
 /// Applies the impulses of the substep before.

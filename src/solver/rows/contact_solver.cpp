@@ -22,38 +22,20 @@ inline constexpr float whirl = 1;
 /// The arm of a point on a disc: straight towards what it touches.
 inline Vec2 arm_of_disc(Vec2 r, Vec2 n) { return dot(r, n) * n; }
 
-/// Writes point `point` of a contact into lane `i` of its row, whose bodies and normal are there already.
-template <class F, int N>
-void fill_point(ContactRow<F, N>& row, int i, std::size_t index, const ContactPointState& point, Vec2 n, const BodyMotion& a,
-                const BodyMotion& b, const BodyMass& mass_a, const BodyMass& mass_b, float warm_scale)
+/// Writes a point of a contact into lane `i` of its row.
+template <class F>
+void fill_point(PointRow<F>& row, int i, const ContactPointState& point, float warm_scale)
 {
-    // 1 / m along a direction u.
-    const auto effective_mass = [&](Vec2 u)
-    {
-        const Vec2 inv_mass = mass_a.inv_mass + mass_b.inv_mass;
-        const float arm_a = cross(point.r_a, u);
-        const float arm_b = cross(point.r_b, u);
-        const float k =
-            inv_mass.x * u.x * u.x + inv_mass.y * u.y * u.y + mass_a.inv_inertia * arm_a * arm_a + mass_b.inv_inertia * arm_b * arm_b;
-        return k > 0 ? 1 / k : 0.0f;
-    };
-    const Vec2 dv = (b.v + cross(b.w, point.r_b)) - (a.v + cross(a.w, point.r_a));
-
-    PointRow<F>& out = row.points[index];
-    set_lane(out.r_a, i, point.r_a);
-    set_lane(out.r_b, i, point.r_b);
-    lane(out.adjusted_separation, i) = point.separation - dot(point.r_b - point.r_a, n);
-    lane(out.normal_velocity, i) = dot(dv, n);
-    lane(out.normal_mass, i) = effective_mass(n);
-    lane(out.tangent_mass, i) = effective_mass(carom::right_perp(n));
-    lane(out.lambda_n, i) = warm_scale * point.normal_impulse;
-    lane(out.lambda_t, i) = warm_scale * point.tangent_impulse;
+    set_lane(row.r_a, i, point.r_a);
+    set_lane(row.r_b, i, point.r_b);
+    lane(row.adjusted_separation, i) = point.separation; // prepare() adjusts it
+    lane(row.lambda_n, i) = warm_scale * point.normal_impulse;
+    lane(row.lambda_t, i) = warm_scale * point.tangent_impulse;
 }
 
-/// Writes a contact into lane `i` of a row.
-/// @return whether it approaches fast enough to bounce, or nearly so: the kernel decides
+/// Writes a contact into lane `i` of a row; the rest follows from that in prepare().
 template <class F, int N>
-bool fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
+void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
               const ContactConstants& constants)
 {
     const Contact& contact = contacts.contacts[slot];
@@ -62,7 +44,6 @@ bool fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     const std::uint32_t index_b = bodies.motion_index[contact.body_b];
     const BodyMass& mass_a = bodies.masses[index_a];
     const BodyMass& mass_b = bodies.masses[index_b];
-    const float spin_resistance = mass_a.inv_inertia + mass_b.inv_inertia;
     const bool with_static = mass_a.inv_mass == Vec2{} || mass_b.inv_mass == Vec2{};
     const Softness& softness = with_static ? constants.with_static : constants.between_dynamic;
 
@@ -88,23 +69,18 @@ bool fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     lane(row.restitution, i) = contact.restitution;
     lane(row.tangent_speed, i) = contact.tangent_speed;
     lane(row.rolling_resistance, i) = contact.rolling_resistance;
-    lane(row.rolling_mass, i) = spin_resistance > 0 ? 1 / spin_resistance : 0.0f;
     lane(row.rolling_lambda, i) = constants.warm_scale * manifold.rolling_impulse;
     lane(row.bias_rate, i) = softness.bias_rate;
     lane(row.mass_scale, i) = softness.mass_scale;
     lane(row.impulse_scale, i) = softness.impulse_scale;
     lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
-    bool is_fast = false;
     for (std::size_t p = 0; p < N; ++p)
     {
         ContactPointState point = manifold.points[p];
         if (a_whirls) point.r_a = arm_of_disc(point.r_a, manifold.normal);
         if (b_whirls) point.r_b = arm_of_disc(point.r_b, manifold.normal);
-        fill_point(row, i, p, point, manifold.normal, bodies.motions[index_a], bodies.motions[index_b], mass_a, mass_b,
-                   constants.warm_scale);
-        is_fast = is_fast || lane(row.points[p].normal_velocity, i) < -0.99f * constants.restitution_threshold;
+        fill_point(row.points[p], i, point, constants.warm_scale);
     }
-    return is_fast && contact.restitution > 0;
 }
 
 /// Puts contacts one after the other into the lanes of rows; a last row's free lanes stay zero and push nothing.
@@ -122,19 +98,15 @@ public:
             rows_->emplace_back(ContactRow<F, N>{}).contact.fill(null_index);
             next_ = 0;
         }
-        const bool may_bounce = fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
-        rows_->back().may_bounce = rows_->back().may_bounce || may_bounce;
-        any_bounces_ = any_bounces_ || may_bounce;
+        fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
         any_belts_ = any_belts_ || contacts.contacts[slot].tangent_speed != 0;
     }
-    bool any_bounces() const { return any_bounces_; }
     bool any_belts() const { return any_belts_; }
 
 private:
     std::pmr::vector<ContactRow<F, N>>* rows_;
     int lanes_;
     int next_;
-    bool any_bounces_ = false;
     bool any_belts_ = false;
 };
 
@@ -225,7 +197,6 @@ void WideContactSolver<F>::build_color(std::span<const std::uint32_t> color, int
         else
             pairs.write(slot, bodies, contacts, constants);
     }
-    any_bounces_ = any_bounces_ || single.any_bounces() || pairs.any_bounces();
     any_belts_ = any_belts_ || single.any_belts() || pairs.any_belts();
     range.end_single = single_.size();
     range.end_double = double_.size();
@@ -266,6 +237,10 @@ void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodi
 
     build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
     for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
+    const float* const motions = floats_of(std::span(bodies.motions));
+    const bool any_single = passes_.single.prepare(single_.data(), 0, single_.size(), motions, constants_);
+    const bool any_pair = passes_.pairs.prepare(double_.data(), 0, double_.size(), motions, constants_);
+    any_bounces_ = any_single || any_pair;
 }
 
 template <class F>
