@@ -314,6 +314,8 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
         return;
 
     const ConvexPoints points_b = convex_points(*other);
+    const float apart = tolerances.impact_distance + tolerances.linear_slop; // well above the rounding of either answer
+    if (stays_apart(core_of(*geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})

@@ -2,6 +2,8 @@
 #include "geometry/random_shapes.hpp"
 #include "solver/swept_path.hpp"
 
+#include <carom/shape.hpp>
+
 #include <gtest/gtest.h>
 
 namespace carom::detail
@@ -57,6 +59,36 @@ TEST(SweptPath, HoldsBackWhatMovesTogether)
     const Sweep b = {.local_center = {}, .center_start = {1.01f, 0}, .center_end = {10.9f, 0}, .q_start = {}, .turn = 0};
     EXPECT_FALSE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.25f, 0, Tolerances{}.linear_slop));
     EXPECT_TRUE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.1f, 0, Tolerances{}.linear_slop));
+}
+
+TEST(StaysApart, holds_back_nothing_that_meets_and_most_that_slides_along)
+{
+    RandomShapes random(11);
+    int missed = 0;
+    int held_back = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const ConvexPoints a = core_of(random.geometry_of(i % 4, 0.5f), 0.05f);
+        const ConvexPoints b = convex_points(random.geometry_of(i / 4 % 4, 0.5f));
+        Sweep way_a = random_sweep(random);
+        Sweep way_b = random_sweep(random);
+        if (i % 3 == 0) way_a.turn *= 0.02f, way_b.turn *= 0.02f, way_a.center_end = way_a.center_start + random.point(0.5f);
+        const bool is_apart = stays_apart(a, way_a, b, way_b, Tolerances{}.impact_distance + Tolerances{}.linear_slop);
+        const bool meets = time_of_impact(a, way_a, b, way_b, Tolerances{}.impact_distance).has_value();
+        EXPECT_FALSE(is_apart && meets) << i;
+        missed += !meets;
+        held_back += is_apart;
+    }
+    EXPECT_GT(2 * held_back, missed);
+
+    // A box that slides along a floor, however far it goes.
+    const ConvexPoints core = core_of(box(1, 1), 0.1f);
+    const ConvexPoints floor = convex_points(box(100, 1));
+    const Sweep slide = {.local_center = {}, .center_start = {0, 1}, .center_end = {20, 0.99f}, .q_start = {}, .turn = 0.01f};
+    const Sweep still = {.local_center = {}, .center_start = {}, .center_end = {}, .q_start = {}, .turn = 0};
+    EXPECT_TRUE(stays_apart(core, slide, floor, still, 0.01f));
+    const Sweep fall = {.local_center = {}, .center_start = {0, 1}, .center_end = {20, 0.8f}, .q_start = {}, .turn = 0};
+    EXPECT_FALSE(stays_apart(core, fall, floor, still, 0.01f));
 }
 
 } // namespace carom::detail
