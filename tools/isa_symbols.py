@@ -16,7 +16,8 @@ def strangers(listing, lanes):
     """The defined symbols of a listing of `nm` that are visible to the linker and name no lane type of that width."""
     names = (line.split(maxsplit=2) for line in listing.splitlines())
     visible = [n[2] for n in names if len(n) == 3 and n[1] in "TtWwVuDBR" and n[1] != "t"]
-    return [n for n in visible if f"Lanes<{lanes}>" not in n and not n.endswith(OWN)]
+    marks = (f"Lanes<{lanes}>", f"LaneMask<{lanes}>", OWN)
+    return [n for n in visible if not any(mark in n for mark in marks)]
 
 
 def main(arguments):
