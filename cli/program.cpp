@@ -104,7 +104,7 @@ void add_run_command(CLI::App& app, const Surroundings& surroundings)
         request->simd = simd_named(name);
         if (!request->simd || !is_available(*request->simd))
             throw CLI::ValidationError("--simd", files::quoted(name) + " is not on this machine; it has " + simd_names());
-    }, "Instruction set of the solver: " + simd_names() + "; by default the last")
+    }, "Instruction set of the solver: " + simd_names() + "; by default " + std::string(name_of(best_simd())))
         ->type_name("NAME");
     command->add_option("--input", request->input, "Pointer and key events to give to the scene")->type_name("FILE");
     command->add_flag("--json", request->is_json, "Print one JSON object");

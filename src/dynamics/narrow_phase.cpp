@@ -7,7 +7,6 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 
-#include <cstddef>
 #include <span>
 
 namespace carom::detail
@@ -71,33 +70,6 @@ ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, co
     return manifold;
 }
 
-/// Contacts lie in the order in which they were made, and what they are between lies anywhere: asks for the lines that later contacts will read.
-/// @param rest the contact in hand and those behind it
-void fetch_ahead(std::span<const std::uint32_t> rest, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts)
-{
-    constexpr std::size_t far = 12; // contacts ahead: the memory takes as long as some of them
-    constexpr std::size_t near = 6; // by then the far one has come
-    if (rest.size() > far)
-    {
-        const std::uint32_t slot = rest[far];
-        __builtin_prefetch(&contacts.contacts[slot]);
-        __builtin_prefetch(&contacts.manifolds[slot]);
-        __builtin_prefetch(reinterpret_cast<const std::byte*>(&contacts.manifolds[slot]) + 64);
-    }
-    if (rest.size() > near)
-    {
-        const Contact& contact = contacts.contacts[rest[near]];
-        for (const std::uint32_t shape : {contact.shape_a, contact.shape_b})
-        {
-            __builtin_prefetch(&shapes.bounds[shape]);
-            const auto* const geometry = reinterpret_cast<const std::byte*>(&shapes.geometry[shape]);
-            for (std::size_t line = 0; line < sizeof(Geometry); line += 64) __builtin_prefetch(geometry + line);
-        }
-        __builtin_prefetch(&bodies.poses[contact.body_a]);
-        __builtin_prefetch(&bodies.poses[contact.body_b]);
-    }
-}
-
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
 {
     const bool has_points = manifold.count > 0;
@@ -137,11 +109,8 @@ void forget_impulses(ContactManifold& manifold)
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    const std::span<const std::uint32_t> awake = std::span(contacts.awake).subspan(first);
-    for (std::size_t i = 0; i < awake.size(); ++i)
+    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
     {
-        fetch_ahead(awake.subspan(i), bodies, shapes, contacts);
-        const std::uint32_t slot = awake[i];
         Contact& contact = contacts.contacts[slot];
 
         const ShapeBounds& a = shapes.bounds[contact.shape_a];

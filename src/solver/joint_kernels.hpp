@@ -241,9 +241,9 @@ void linearise_pulley(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<
     set_control(row, row.controls[0], j, length_a + row.ratio * length_b);
 }
 
-/// Jacobians, errors and coordinates where the bodies are now.
+/// Jacobians, errors and coordinates where the bodies are now, of every type.
 template <class F>
-void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+void linearise_by_type(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
 {
     const JointPlace<F> p = place_of(row, a, b);
     row.r_b = p.r_b;
@@ -259,6 +259,15 @@ void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
     case JointType::Gear: return linearise_gear(row, a, b);
     case JointType::Pulley: return linearise_pulley(row, p, a, b);
     }
+}
+
+/// Jacobians, errors and coordinates where the bodies are now, and what motors and ends meet there.
+template <class F>
+void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    linearise_by_type(row, a, b);
+    if (!row.has_ends) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i) find_held_mass(row, row.controls[i]);
 }
 
 /// Curvatures at the velocities that the bodies have now, of every type.

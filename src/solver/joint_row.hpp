@@ -381,7 +381,6 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
         ControlRow<F>& c = row.controls[i];
         if constexpr (WithBias) solve_spring(row, c, a, b);
         if (!row.has_ends) continue;
-        find_held_mass(row, c);
         solve_motor(row, c, a, b);
         solve_range<WithBias>(row, c, k, a, b);
     }
