@@ -62,15 +62,14 @@ void emit_contact(Contact& contact, const ContactManifold& manifold, bool touche
     const ShapeRecord& b = shapes.records[contact.shape_b];
     const bool wants_ends = a.contact_events || b.contact_events;
     const bool wants_persist = a.persist_events || b.persist_events;
-    const ShapeId id_a = shape_id(shapes, contact.shape_a, world);
-    const ShapeId id_b = shape_id(shapes, contact.shape_b, world);
+    const auto id_of = [&](std::uint32_t shape) { return shape_id(shapes, shape, world); };
 
     if (touches_now && !contact.is_touching && wants_ends)
-        events.contact_begin.push_back({id_a, id_b, public_manifold(manifold)});
+        events.contact_begin.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
     else if (touches_now && contact.is_touching && wants_persist)
-        events.contact_persist.push_back({id_a, id_b, public_manifold(manifold)});
+        events.contact_persist.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
     else if (!touches_now && contact.is_touching && wants_ends)
-        events.contact_end.push_back({id_a, id_b, contact.last_normal, contact.last_tangent});
+        events.contact_end.push_back({id_of(contact.shape_a), id_of(contact.shape_b), contact.last_normal, contact.last_tangent});
     if (touches_now) remember_impulses(contact, manifold);
     contact.is_touching = touches_now;
 }
