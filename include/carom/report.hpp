@@ -78,8 +78,8 @@ std::string_view name_of(QuarantineReason reason);
 /// What World::step did.
 struct StepReport
 {
-    double seconds = 0;                                 ///< wall time of the whole step [s]
-    std::array<double, stage_count> stage_seconds = {}; ///< wall time by stage, over all substeps [s]
+    double seconds = 0;                                 ///< wall time of the whole step [s]; 0 without WorldDef::stage_times
+    std::array<double, stage_count> stage_seconds = {}; ///< wall time by stage, over all substeps [s]; likewise
 
     int bodies = 0;        ///< in the world
     int awake_bodies = 0;  ///< dynamic and kinematic bodies that took part in the step

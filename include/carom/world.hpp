@@ -90,6 +90,7 @@ struct WorldDef
     /// them are n (n - 1) / 2 pairs: a step that would find more throws UsageError, which names the place, and leaves the world as it was.
     /// 0 allows 64 for each shape, and 524,288 in any case. A pair takes about 1 KB.
     int max_pairs = 0;
+    bool stage_times = true; ///< whether StepReport tells seconds: some tens of readings of the clock, a microsecond a step
     CapacityHints capacity = {};
     ContactHooks* hooks = nullptr; ///< must outlive the world's last step and edit, or be replaced before; null for none
     /// Where every byte that the world holds comes from; null is the default resource. Must outlive the world.

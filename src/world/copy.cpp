@@ -57,7 +57,10 @@ World World::copy(std::pmr::memory_resource* memory) const
 {
     const WorldState& from = state("copy");
     detail::require_idle(from, "copy");
-    World result({.gravity = from.gravity, .simd = from.simd, .memory = memory ? memory : &from.memory.upstream()});
+    World result({.gravity = from.gravity,
+                  .simd = from.simd,
+                  .stage_times = from.has_stage_times,
+                  .memory = memory ? memory : &from.memory.upstream()});
     copy_state(result.state("copy"), from);
     return result;
 }

@@ -15,8 +15,8 @@ class StageRunner
 public:
     /// @param moment its stage is set by each run
     /// @param probe  null for none
-    StageRunner(StepReport& report, const MidStep& moment, int substeps, StepProbe* probe)
-        : report_(report),
+    StageRunner(StepClock& clock, const MidStep& moment, int substeps, StepProbe* probe)
+        : clock_(clock),
           moment_(moment),
           substeps_(substeps),
           probe_(probe)
@@ -29,7 +29,7 @@ public:
     {
         const auto timed = [&]
         {
-            const StageTimer timer(report_, stage);
+            const StepClock::Zone zone(clock_, stage);
             return work();
         };
         if constexpr (std::is_void_v<std::invoke_result_t<const Work&>>)
@@ -56,9 +56,10 @@ private:
     {
         moment_.stage = stage;
         probe_->after_stage({stage, substep, substeps_}, moment_.view());
+        clock_.leave_out();
     }
 
-    StepReport& report_;
+    StepClock& clock_;
     MidStep moment_;
     int substeps_;
     StepProbe* probe_;

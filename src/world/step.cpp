@@ -126,7 +126,6 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
         joints.store_impulses(bodies.motions, world.joints, 1 / dt);
         break_joints(world);
     });
-    world.last_substep = h;
 }
 
 /// From motions to poses.
@@ -168,7 +167,7 @@ void count(const WorldState& world, const ColorLists& contacts, float dt, std::s
 
 void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, StepReport& report)
 {
-    const StepTimer step_timer(report);
+    StepClock clock(report, world.has_stage_times);
     const std::size_t allocations_before = world.memory.stats().allocations;
     world.arena.reset();
     world.quarantined.clear();
@@ -177,7 +176,7 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     const ContactSolverPtr rows = make_contact_solver(passes_of(world.simd), world.arena);
     ContactSolver& solver = *rows;
     ContinuousCollision continuous(world.arena);
-    StageRunner run(report, {world, solver, dt, Stage::FindPairs}, substeps, probe);
+    StageRunner run(clock, {world, solver, dt, Stage::FindPairs}, substeps, probe);
 
     run(Stage::FindPairs, [&]
     {
@@ -189,11 +188,13 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
     });
     run(Stage::UpdateManifolds, [&] { update_contacts(world); });
     const ColorLists colors = run(Stage::BuildRows, [&] { return build_rows(world, solver, dt, substeps); });
-    if (dt > 0)
+    const bool is_at_rest = world.bodies.motions.size() == 1; // nobody is awake, and only a probe would see the stages
+    if (dt > 0 && (!is_at_rest || probe))
     {
         solve_substeps(world, solver, dt, substeps, run);
         move_bodies(world, continuous, dt, run);
     }
+    if (dt > 0) world.last_substep = dt / static_cast<float>(substeps);
     run(Stage::EmitEvents,
         [&] { report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events); });
     report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;

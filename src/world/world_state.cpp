@@ -46,6 +46,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
       tuning(def.solver),
       sleep(def.sleep),
       is_continuous(def.continuous),
+      has_stage_times(def.stage_times),
       simd(chosen_simd(def.simd, "World")),
       rules{.world = world, .mixing = def.mixing, .hooks = def.hooks, .hit_speed = def.hit_speed, .max_pairs = def.max_pairs},
       broad_phase_options(def.broad_phase_options),

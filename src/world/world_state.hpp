@@ -43,6 +43,7 @@ struct WorldState
     SolverTuning tuning;
     SleepTuning sleep;
     bool is_continuous = true;
+    bool has_stage_times = true;
     Simd simd; ///< never Best
     ContactRules rules;
     BroadPhaseOptions broad_phase_options;
