@@ -21,7 +21,11 @@ ENGINE = {
     "solver/rows": ["dynamics", "solver/isa", "solver"],
     "solver": ["dynamics", "solver/isa"],
     "fields": ["dynamics"],
-    "world": ["solver/rows", "fields"],
+    "state": ["solver/rows", "fields"],
+    "edit": ["state"],
+    "step": ["edit"],
+    "snapshot": ["step"],
+    "api": ["snapshot"],
 }
 # Folders outside the engine: which top folders their includes may name. "include" stands for <carom/...>.
 PROGRAMS = {

@@ -7,7 +7,7 @@ namespace carom
 namespace
 {
 
-constexpr profile::ZoneSite site(const char* name) { return {name, "carom::World::step", "src/world/step.cpp", 0}; }
+constexpr profile::ZoneSite site(const char* name) { return {name, "carom::World::step", "src/step/step.cpp", 0}; }
 
 constexpr std::array<profile::ZoneSite, stage_count> stage_sites{site("find pairs"),          site("update manifolds"),
                                                                  site("build rows"),          site("integrate velocities"),

@@ -1,6 +1,11 @@
 // What this machine can run, asked of the processor.
 #include "solver/isa/dispatch.hpp"
 
+#include "math/usage_error.hpp"
+
+#include <cstdlib>
+#include <string>
+
 namespace carom
 {
 
@@ -59,6 +64,28 @@ Simd best_simd() { return is_available(Simd::Avx2) ? Simd::Avx2 : Simd::Four; }
 
 namespace detail
 {
+
+Simd chosen_simd(Simd simd, std::string_view function)
+{
+    const auto require = [&](bool is_good, std::string_view field, std::string_view value)
+    {
+        if (is_good) return;
+        std::string names;
+        for (const Simd one : all_simd)
+            if (is_available(one)) names += (names.empty() ? "" : ", ") + std::string(name_of(one));
+        usage_error(function, field, value, "this machine and build have " + names);
+    };
+    if (simd != Simd::Best)
+    {
+        require(is_available(simd), "simd", name_of(simd));
+        return simd;
+    }
+    const char* wanted = std::getenv("CAROM_SIMD");
+    if (!wanted || !*wanted) return best_simd();
+    const std::optional<Simd> named = simd_named(wanted);
+    require(named && is_available(*named), "CAROM_SIMD (in the environment)", wanted);
+    return *named == Simd::Best ? best_simd() : *named;
+}
 
 const SolverPasses& passes_of(Simd simd)
 {

@@ -1,0 +1,74 @@
+// What a hook changes lasts one step: the next one starts from what the materials give.
+#include "step/pre_solve.hpp"
+
+#include "dynamics/mix_materials.hpp"
+
+#include <cmath>
+#include <span>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+float approach_speed(const BodyStore& bodies, const Contact& contact, const ContactPointState& point, Vec2 normal)
+{
+    const Vec2 v_a = bodies.velocity(contact.body_a) + cross(bodies.spin(contact.body_a), point.r_a);
+    const Vec2 v_b = bodies.velocity(contact.body_b) + cross(bodies.spin(contact.body_b), point.r_b);
+    return -dot(v_b - v_a, normal);
+}
+
+PreSolve describe(const WorldState& world, const Contact& contact, const ContactManifold& manifold)
+{
+    PreSolve shown;
+    shown.shape_a = shape_id(world.shapes, contact.shape_a, world.world);
+    shown.shape_b = shape_id(world.shapes, contact.shape_b, world.world);
+    shown.manifold = public_manifold(manifold);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+        shown.manifold.points[i].approach_speed = approach_speed(world.bodies, contact, manifold.points[i], manifold.normal);
+    shown.was_touching = contact.is_touching;
+    shown.friction = contact.friction;
+    shown.restitution = contact.restitution;
+    shown.rolling_resistance = contact.rolling_resistance;
+    shown.tangent_speed = contact.tangent_speed;
+    return shown;
+}
+
+/// Takes over what the hook changed, as far as it makes sense.
+void apply(const PreSolve& wanted, Contact& contact)
+{
+    if (is_friction(wanted.friction)) contact.friction = wanted.friction;
+    if (is_restitution(wanted.restitution)) contact.restitution = wanted.restitution;
+    if (is_friction(wanted.rolling_resistance)) contact.rolling_resistance = wanted.rolling_resistance;
+    if (std::abs(wanted.tangent_speed) <= max_speed) contact.tangent_speed = wanted.tangent_speed;
+    contact.is_overridden = true;
+}
+
+} // namespace
+
+void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes)
+{
+    if (world.rules.hooks == nullptr) return;
+    bool any_disabled = false;
+    for (const std::uint32_t slot : std::span(world.contacts.awake).subspan(first))
+    {
+        Contact& contact = world.contacts.contacts[slot];
+        ContactManifold& manifold = world.contacts.manifolds[slot];
+        contact.is_disabled = false;
+        if (contact.is_sensor || manifold.count == 0 || is_separated(contact, world.shapes)) continue;
+        if (!world.shapes.records[contact.shape_a].pre_solve && !world.shapes.records[contact.shape_b].pre_solve) continue;
+
+        if (contact.is_overridden) mix_materials(contact, world.shapes, world.rules);
+        PreSolve shown = describe(world, contact, manifold);
+        world.rules.hooks->pre_solve(shown);
+        apply(shown, contact);
+        if (shown.is_enabled) continue;
+        manifold.count = 0;
+        contact.is_disabled = true;
+        any_disabled = true;
+    }
+    if (any_disabled) list_changes(world.shapes, world.contacts, first, changes);
+}
+
+} // namespace carom::detail

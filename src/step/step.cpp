@@ -1,0 +1,219 @@
+// The step, stage by stage. Each stage is a function that takes what it reads and writes; `run` times it, and shows the probe what it has left.
+#include "step/step.hpp"
+
+#include "dynamics/finalize_bodies.hpp"
+#include "dynamics/find_pairs.hpp"
+#include "edit/edits.hpp"
+#include "math/usage_error.hpp"
+#include "solver/continuous.hpp"
+#include "solver/integrate.hpp"
+#include "solver/isa/dispatch.hpp"
+#include "solver/rows/contact_solver.hpp"
+#include "solver/softness.hpp"
+#include "step/check_state.hpp"
+#include "step/sleep.hpp"
+#include "step/stage_runner.hpp"
+#include "step/update_contacts.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace carom::detail
+{
+
+namespace
+{
+
+void put_aside(WorldState& world, std::span<const LostBody> lost)
+{
+    for (const auto& [body, reason] : lost)
+    {
+        set_body_enabled(world, body, false);
+        world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
+        world.quarantine_reasons.push_back(reason);
+    }
+}
+
+/// Ends the step before anything has moved.
+[[noreturn]] void refuse_crowd(WorldState& world, const PairSearch& search)
+{
+    world.is_broken = false; // the world is as it was before the step
+    const Vec2 place = world.bodies.poses[world.shapes.records[search.crowded_shape].body].center;
+    const auto number = [](float value) { return std::to_string(std::llround(value)); };
+    usage_error("step", "pairs", "more than " + std::to_string(most_pairs(world.rules, world.shapes)),
+                "too many shapes lie in one place: the one of index " + std::to_string(search.crowded_shape) + " alone, near (" +
+                    number(place.x) + ", " + number(place.y) + "), is near at least " + std::to_string(search.crowd) +
+                    " others; move them apart, destroy some, keep them from meeting by a filter, or give WorldDef::max_pairs");
+}
+
+/// Those that pulled harder than they may are gone after the step.
+void break_joints(WorldState& world)
+{
+    std::pmr::vector<std::uint32_t> broken(&world.arena);
+    for (const std::uint32_t slot : world.joints.active)
+    {
+        const Joint& joint = world.joints.joints[slot];
+        if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) broken.push_back(slot);
+    }
+    std::sort(broken.begin(), broken.end());
+    for (const std::uint32_t slot : broken)
+    {
+        note_break(world, slot);
+        destroy_joint(world, slot);
+    }
+}
+
+/// Gathers what the solver works on.
+ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int substeps)
+{
+    ColorLists contacts(world.contacts, world.arena);
+    if (dt == 0) return contacts; // nothing will be solved
+    const float h = dt / static_cast<float>(substeps);
+    world.joint_solver.build(ColorLists(world.joints, world.arena), world.bodies, world.joints,
+                             make_joint_constants(world.tuning, h, world.last_substep, world.shapes.tolerances));
+    solver.build(contacts, world.bodies, world.contacts,
+                 make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances));
+    return contacts;
+}
+
+void bounce(WorldState& world, ContactSolver& contacts)
+{
+    if (!contacts.any_bounces()) return;
+    BodyStore& bodies = world.bodies;
+    std::pmr::vector<Vec2> accelerations(bodies.motions.size(), Vec2{}, &world.arena);
+    free_accelerations(bodies.masses, bodies.drives, world.gravity, world.field_forces.at_bodies(world.fields, bodies), accelerations);
+    contacts.bounce(bodies.motions, bodies.watches, accelerations);
+}
+
+/// From the velocities at the start of the step to the motions of its end.
+void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int substeps, StageRunner& run)
+{
+    const float h = dt / static_cast<float>(substeps);
+    BodyStore& bodies = world.bodies;
+    JointSolver<float>& joints = world.joint_solver;
+    run(Stage::Restitution, [&] { bounce(world, contacts); });
+    for (int i = 0; i < substeps; ++i)
+    {
+        run(Stage::IntegrateVelocities, i, [&]
+        {
+            const std::span<const Vec2> fields = world.field_forces.at_bodies(world.fields, bodies);
+            integrate_velocities(bodies.motions, bodies.masses, bodies.drives, world.gravity, fields, h);
+        });
+        run(Stage::WarmStart, i, [&]
+        {
+            joints.warm_start(bodies.motions);
+            contacts.warm_start(bodies.motions);
+        });
+        run(Stage::Solve, i, [&]
+        {
+            joints.solve(bodies.motions);
+            contacts.solve(bodies.motions);
+        });
+        run(Stage::IntegratePositions, i, [&] { integrate_positions(bodies.motions, h); });
+        run(Stage::Relax, i, [&]
+        {
+            joints.relax(bodies.motions);
+            contacts.relax(bodies.motions);
+        });
+    }
+    run(Stage::StoreImpulses, [&]
+    {
+        contacts.store_impulses(world.contacts, bodies.watches);
+        contacts.mark_driven(bodies.motions, bodies.watches);
+        joints.mark_driven(bodies.motions, bodies.watches);
+        joints.store_impulses(bodies.motions, world.joints, 1 / dt);
+        break_joints(world);
+    });
+}
+
+/// From motions to poses.
+void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, StageRunner& run)
+{
+    std::pmr::vector<FastBody> fast(&world.arena);
+    run(Stage::FinalizeBodies, [&]
+    {
+        std::pmr::vector<LostBody> lost(&world.arena);
+        finalize_bodies(world.bodies, world.shapes, *world.broad_phase, dt, world.sleep.speed * world.shapes.tolerances.length_unit, lost,
+                        world.is_continuous ? &fast : nullptr);
+        put_aside(world, lost);
+    });
+    run(Stage::Continuous, [&] {
+        continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
+                       steps_ahead * dt);
+    });
+}
+
+void count(const WorldState& world, const ColorLists& contacts, float dt, std::size_t allocations_before, StepReport& report)
+{
+    report.bodies = world.bodies.slots.live_count();
+    report.shapes = world.shapes.slots.live_count();
+    report.pairs = world.contacts.slots.live_count();
+    report.colors = contacts.used_colors();
+    report.overflow_rows = static_cast<int>(contacts.list(overflow_color).size());
+    report.rows = static_cast<int>(contacts.size());
+    report.broad_phase = world.broad_phase->stats();
+    report.memory = memory_report(world);
+    report.allocations = world.memory.stats().allocations - allocations_before;
+    if (dt > 0)
+    {
+        report.contact_hertz = contact_stiffness(world.tuning, world.last_substep);
+        report.is_too_long = is_too_soft(world.tuning, world.last_substep);
+    }
+    report.quarantined = world.quarantined;
+    report.quarantine_reasons = world.quarantine_reasons;
+}
+
+void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, StepReport& report)
+{
+    StepClock clock(report, world.has_stage_times);
+    const std::size_t allocations_before = world.memory.stats().allocations;
+    world.arena.reset();
+    world.quarantined.clear();
+    world.quarantine_reasons.clear();
+    world.events.clear();
+    const ContactSolverPtr rows = make_contact_solver(passes_of(world.simd), world.arena);
+    ContactSolver& solver = *rows;
+    ContinuousCollision continuous(world.arena);
+    StageRunner run(clock, {world, solver, dt, Stage::FindPairs}, substeps, probe);
+
+    run(Stage::FindPairs, [&]
+    {
+        const PairSearch search =
+            find_pairs(*world.broad_phase, world.shapes, world.bodies, world.joints, world.contacts, world.pairs, world.rules, world.arena);
+        if (search.is_over_limit) refuse_crowd(world, search);
+        if (search.has_idle) world.must_review = true;
+        make_room_for_contacts(world);
+    });
+    run(Stage::UpdateManifolds, [&] { update_contacts(world); });
+    const ColorLists colors = run(Stage::BuildRows, [&] { return build_rows(world, solver, dt, substeps); });
+    const bool is_at_rest = world.bodies.motions.size() == 1; // nobody is awake, and only a probe would see the stages
+    if (dt > 0 && (!is_at_rest || probe))
+    {
+        solve_substeps(world, solver, dt, substeps, run);
+        move_bodies(world, continuous, dt, run);
+    }
+    if (dt > 0) world.last_substep = dt / static_cast<float>(substeps);
+    run(Stage::EmitEvents,
+        [&] { report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events); });
+    report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
+    report.islands = static_cast<int>(world.islands.awake().size());
+    if (dt > 0) run(Stage::Sleep, [&] { put_islands_to_sleep(world); });
+
+    assert(first_fault(world).empty());
+    ++world.step_count;
+    count(world, colors, dt, allocations_before, report);
+}
+
+} // namespace
+
+StepReport step(WorldState& world, float dt, int substeps, StepProbe* probe)
+{
+    StepReport report;
+    run_stages(world, dt, substeps, probe, report);
+    plot_step(report);
+    return report;
+}
+
+} // namespace carom::detail
