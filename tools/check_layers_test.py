@@ -24,7 +24,7 @@ class CheckLayersTest(unittest.TestCase):
             "include/carom/carom.hpp": "#include <carom/math.hpp>\n",
             "src/math/lanes.hpp": "#include <immintrin.h>\n",
             "src/geometry/hull.hpp": '#include "math/lanes.hpp"\n#include <carom/math.hpp>\n',
-            "src/solver/rows.cpp": '#include "geometry/hull.hpp"\n',
+            "src/solver/rows/a.cpp": '#include "geometry/hull.hpp"\n',
             "src/geometry/hull_test.cpp": '#include "geometry/hull.hpp"\n#include <gtest/gtest.h>\n',
             "scenes/pile.hpp": "#include <carom/carom.hpp>\n",
             "lab/run.hpp": '#include "scenes/pile.hpp"\n',
@@ -38,8 +38,8 @@ class CheckLayersTest(unittest.TestCase):
         self.assertIn("src/math/b.hpp:2: src/math may use only the standard library, not geometry", found[0])
 
     def test_neighbours_must_not_use_each_other(self):
-        found = self.complaints({"src/fields/a.hpp": "", "src/solver/b.cpp": '#include "fields/a.hpp"\n'})
-        self.assertIn("src/solver/b.cpp:1: ", found[0])
+        found = self.complaints({"src/fields/a.hpp": "", "src/solver/rows/b.cpp": '#include "fields/a.hpp"\n'})
+        self.assertIn("src/solver/rows/b.cpp:1: ", found[0])
 
     def test_include_relative_to_the_file_is_seen(self):
         found = self.complaints({"src/geometry/a.hpp": "", "src/math/b.hpp": '#include "../geometry/a.hpp"\n'})

@@ -3,7 +3,7 @@
 
 #include "api/validate.hpp"
 #include "edit/edits.hpp"
-#include "solver/joint_setup.hpp"
+#include "solver/joints/joint_setup.hpp"
 #include "state/guards.hpp"
 
 #include <algorithm>

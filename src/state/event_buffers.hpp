@@ -5,7 +5,7 @@
 #include "dynamics/contact_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "memory/make_room.hpp"
-#include "solver/continuous.hpp"
+#include "solver/continuous/continuous.hpp"
 
 #include <carom/events.hpp>
 #include <carom/memory.hpp>

@@ -11,7 +11,7 @@
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "fields/field_store.hpp"
-#include "solver/joint_solver.hpp"
+#include "solver/joints/joint_solver.hpp"
 #include "state/event_buffers.hpp"
 
 #include <carom/memory.hpp>

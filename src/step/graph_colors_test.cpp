@@ -1,5 +1,5 @@
 // The colours of a live world: they need piles that are really stepped, so the test stands here and not beside the colours.
-#include "solver/graph_colors.hpp"
+#include "solver/rows/graph_colors.hpp"
 
 #include "edit/edits.hpp"
 #include "step/step.hpp"

@@ -4,7 +4,7 @@
 #include "dynamics/narrow_phase.hpp"
 #include "edit/edits.hpp"
 #include "edit/wake.hpp"
-#include "solver/graph_colors.hpp"
+#include "solver/rows/graph_colors.hpp"
 #include "step/pre_solve.hpp"
 
 #include <cstddef>

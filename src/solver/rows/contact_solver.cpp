@@ -2,7 +2,7 @@
 #include "solver/rows/contact_solver.hpp"
 
 #include "math/lane_array.hpp"
-#include "solver/body_lanes.hpp"
+#include "solver/rows/body_lanes.hpp"
 
 #include <array>
 #include <cstdint>

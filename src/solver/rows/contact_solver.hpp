@@ -3,9 +3,9 @@
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
-#include "solver/graph_colors.hpp"
 #include "solver/isa/contact_passes.hpp"
-#include "solver/softness.hpp"
+#include "solver/rows/graph_colors.hpp"
+#include "solver/rows/softness.hpp"
 
 #include <memory>
 #include <memory_resource>

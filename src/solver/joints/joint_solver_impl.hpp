@@ -2,10 +2,10 @@
 #pragma once
 
 #include "memory/make_room.hpp"
-#include "solver/integrate.hpp"
-#include "solver/joint_kernels.hpp"
-#include "solver/joint_setup.hpp"
-#include "solver/joint_solver.hpp"
+#include "solver/joints/joint_kernels.hpp"
+#include "solver/joints/joint_setup.hpp"
+#include "solver/joints/joint_solver.hpp"
+#include "solver/rows/integrate.hpp"
 
 #include <algorithm>
 #include <cmath>

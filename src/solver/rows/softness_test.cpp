@@ -1,4 +1,4 @@
-#include "solver/softness.hpp"
+#include "solver/rows/softness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "math/lane_trig.hpp"
-#include "solver/joint_row.hpp"
+#include "solver/joints/joint_row.hpp"
 
 namespace carom::detail
 {

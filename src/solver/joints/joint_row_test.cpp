@@ -1,5 +1,5 @@
 // What each part of a joint row must keep: momentum, the limits of motors, springs and drives, and one-sided pushing.
-#include "solver/joint_kernels.hpp"
+#include "solver/joints/joint_kernels.hpp"
 
 #include <gtest/gtest.h>
 

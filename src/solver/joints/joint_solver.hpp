@@ -3,9 +3,9 @@
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/joint_store.hpp"
-#include "solver/articulation.hpp"
-#include "solver/graph_colors.hpp"
-#include "solver/joint_row.hpp"
+#include "solver/joints/articulation.hpp"
+#include "solver/joints/joint_row.hpp"
+#include "solver/rows/graph_colors.hpp"
 
 #include <memory_resource>
 #include <span>

@@ -1,5 +1,5 @@
 // The sparse solution against a dense one.
-#include "solver/articulation.hpp"
+#include "solver/joints/articulation.hpp"
 
 #include <carom/memory.hpp>
 

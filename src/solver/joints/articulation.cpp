@@ -1,5 +1,5 @@
 // The numbers: building A, eliminating it, and solving with it. In double precision, since a chain's impulses differ by its mass ratio.
-#include "solver/articulation.hpp"
+#include "solver/joints/articulation.hpp"
 
 namespace carom::detail
 {

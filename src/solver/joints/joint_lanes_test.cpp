@@ -1,7 +1,7 @@
 // The joint solver in four lanes gives the bits of the scalar one.
-#include "solver/four_lanes.hpp"
-#include "solver/integrate.hpp"
-#include "solver/joint_solver_impl.hpp"
+#include "solver/joints/four_lanes.hpp"
+#include "solver/joints/joint_solver_impl.hpp"
+#include "solver/rows/integrate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/continuous.hpp"
+#include "solver/continuous/continuous.hpp"
 
 #include "dynamics/dynamics_test.hpp"
 

@@ -13,7 +13,7 @@
 // In a chain or a tree they can't, and S is only what rounding asks for, so that a rope carries any load.
 #pragma once
 
-#include "solver/joint_row.hpp"
+#include "solver/joints/joint_row.hpp"
 
 #include <array>
 #include <cstdint>

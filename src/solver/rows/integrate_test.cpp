@@ -1,4 +1,4 @@
-#include "solver/integrate.hpp"
+#include "solver/rows/integrate.hpp"
 
 #include <gtest/gtest.h>
 

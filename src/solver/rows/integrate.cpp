@@ -1,5 +1,5 @@
 // Semi-implicit Euler, substep by substep.
-#include "solver/integrate.hpp"
+#include "solver/rows/integrate.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The plan: in which order joints are eliminated, and which blocks of A that fills.
-#include "solver/articulation.hpp"
+#include "solver/joints/articulation.hpp"
 
 #include <algorithm>
 #include <limits>

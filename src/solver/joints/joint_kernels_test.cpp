@@ -1,6 +1,6 @@
 // Every Jacobian against the finite differences of its error, every curvature against the arc that it stands for. The kernels run in double
 // here, so that differences can be taken.
-#include "solver/joint_setup.hpp"
+#include "solver/joints/joint_setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,8 +48,8 @@ double lane(const Double& f, int) { return f.v; }
 namespace
 {
 
-using Lanes = BodyLanes<Double>;
-using Row = JointRow<Double>;
+using ExactLanes = BodyLanes<Double>;
+using ExactRow = JointRow<Double>;
 
 struct Case
 {
@@ -99,7 +99,7 @@ struct RandomJoint
         row = empty_row<Double>(spec);
         fill_row(row, 0, 0, joint, bodies, make_joint_constants({}, 1 / 240.0f, 1 / 240.0f));
 
-        a = has_a ? place() : Lanes{{}, 0, {}, {1, 0}};
+        a = has_a ? place() : ExactLanes{{}, 0, {}, {1, 0}};
         b = place();
         // An axis of a slide is taken as fixed over a step.
         const auto* gear = std::get_if<GearJoint>(&spec);
@@ -109,7 +109,7 @@ struct RandomJoint
 
     float from(float min, float max) { return std::uniform_real_distribution<float>(min, max)(engine); }
 
-    Lanes place()
+    ExactLanes place()
     {
         const double turn = double{from(-0.5f, 0.5f)};
         return {{from(-1, 1), from(-1, 1)}, from(-4, 4), {from(-0.3f, 0.3f), from(-0.3f, 0.3f)}, {std::cos(turn), std::sin(turn)}};
@@ -117,15 +117,15 @@ struct RandomJoint
 
     std::mt19937 engine;
     BodyStore bodies{*std::pmr::new_delete_resource()};
-    Row row = {};
-    Lanes a = {};
-    Lanes b = {};
+    ExactRow row = {};
+    ExactLanes a = {};
+    ExactLanes b = {};
 };
 
 /// Where a body is after a time.
-Lanes after(const Lanes& body, double t)
+ExactLanes after(const ExactLanes& body, double t)
 {
-    Lanes out = body;
+    ExactLanes out = body;
     const double turn = t * body.w.v;
     out.dp = body.dp + body.v * Double(t);
     out.dq = {std::cos(turn) * body.dq.c.v - std::sin(turn) * body.dq.s.v, std::sin(turn) * body.dq.c.v + std::cos(turn) * body.dq.s.v};
@@ -141,7 +141,7 @@ struct Quantity
     double curvature;
 };
 
-std::vector<Quantity> quantities(Row row, const Lanes& a, const Lanes& b, const JointConstants<Double>& k)
+std::vector<Quantity> quantities(ExactRow row, const ExactLanes& a, const ExactLanes& b, const JointConstants<Double>& k)
 {
     linearise(row, a, b);
     for (Double& f : row.curvature) f = 0;
@@ -155,7 +155,7 @@ std::vector<Quantity> quantities(Row row, const Lanes& a, const Lanes& b, const 
     return all;
 }
 
-const JointConstants<Double> constants = {1 / 240.0, 240, 50, 0.9, 0.1};
+const JointConstants<Double> exact_constants = {1 / 240.0, 240, 50, 0.9, 0.1};
 
 void for_each_random_joint(const std::function<void(const Case&, RandomJoint&)>& visit)
 {
@@ -175,9 +175,9 @@ TEST(JointKernels, JacobiansAreTheRatesOfWhatTheyHold)
     for_each_random_joint([](const Case& c, RandomJoint& joint)
     {
         const double t = 1e-6;
-        const auto now = quantities(joint.row, joint.a, joint.b, constants);
-        const auto before = quantities(joint.row, after(joint.a, -t), after(joint.b, -t), constants);
-        const auto later = quantities(joint.row, after(joint.a, t), after(joint.b, t), constants);
+        const auto now = quantities(joint.row, joint.a, joint.b, exact_constants);
+        const auto before = quantities(joint.row, after(joint.a, -t), after(joint.b, -t), exact_constants);
+        const auto later = quantities(joint.row, after(joint.a, t), after(joint.b, t), exact_constants);
         for (std::size_t i = 0; i < now.size(); ++i)
             ASSERT_NEAR((later[i].value - before[i].value) / (2 * t), now[i].rate, 1e-6 * (1 + std::abs(now[i].rate)))
                 << c.name << ", " << now[i].name;
@@ -188,9 +188,9 @@ TEST(JointKernels, CurvatureIsWhatAnArcAddsOverASubstep)
 {
     for_each_random_joint([](const Case& c, RandomJoint& joint)
     {
-        const double h = constants.h.v;
-        const auto now = quantities(joint.row, joint.a, joint.b, constants);
-        const auto later = quantities(joint.row, after(joint.a, h), after(joint.b, h), constants);
+        const double h = exact_constants.h.v;
+        const auto now = quantities(joint.row, joint.a, joint.b, exact_constants);
+        const auto later = quantities(joint.row, after(joint.a, h), after(joint.b, h), exact_constants);
         for (std::size_t i = 0; i < now.size(); ++i)
         {
             const double missing = (later[i].value - now[i].value) / h - now[i].rate;
@@ -206,7 +206,7 @@ TEST(JointKernels, CurvatureFadesOutWhereASubstepTurnsTooFar)
     {
         joint.a.w = w_a;
         joint.b.w = w_b;
-        return quantities(joint.row, joint.a, joint.b, constants)[0].curvature;
+        return quantities(joint.row, joint.a, joint.b, exact_constants)[0].curvature;
     };
     EXPECT_NE(curvature(0, 16), 0);
     EXPECT_NE(curvature(20, 24), 0) << "turning together is no fold";
@@ -246,7 +246,7 @@ TEST(JointKernels, AVanishedLengthHasADirectionAllTheSame)
     linearise(joint.row, joint.a, joint.b);
     EXPECT_NEAR(dot(joint.row.rigid[0].l_b, joint.row.rigid[0].l_b).v, 1, 1e-6);
     EXPECT_NEAR(joint.row.error[0].v, -1, 1e-12);
-    bend(joint.row, joint.a, joint.b, constants);
+    bend(joint.row, joint.a, joint.b, exact_constants);
     EXPECT_EQ(joint.row.curvature[0].v, 0);
 }
 
@@ -255,7 +255,7 @@ TEST(JointSetup, EveryShapeOfRowHasAKeyOfItsOwnAndOneTypeHasOneOrder)
     for (const Case& c : cases)
     {
         const JointShape shape = shape_of(c.spec);
-        const Row row = empty_row<Double>(c.spec);
+        const ExactRow row = empty_row<Double>(c.spec);
         EXPECT_EQ(row.rigid_count, shape.rigid) << c.name;
         EXPECT_EQ(row.control_count, shape.controls) << c.name;
         EXPECT_EQ(row.has_drive, shape.has_drive) << c.name;

@@ -1,5 +1,5 @@
 // Picks and frees colours by the bodies' masks, and sorts constraints by colour.
-#include "solver/graph_colors.hpp"
+#include "solver/rows/graph_colors.hpp"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 // The joint solver for one lane: the reference that wider lanes are tested against.
-#include "solver/joint_solver_impl.hpp"
+#include "solver/joints/joint_solver_impl.hpp"
 
 namespace carom::detail
 {

@@ -1,7 +1,7 @@
 // Between joints and their rows: fills a joint into a lane of a row, and takes the results out again.
 #pragma once
 
-#include "solver/joint_kernels.hpp"
+#include "solver/joints/joint_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>

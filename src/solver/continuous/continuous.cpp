@@ -1,12 +1,12 @@
 // Finds and orders the impacts of fast bodies.
-#include "solver/continuous.hpp"
+#include "solver/continuous/continuous.hpp"
 
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/one_sided.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
-#include "solver/swept_path.hpp"
+#include "solver/continuous/swept_path.hpp"
 
 #include <algorithm>
 #include <cmath>

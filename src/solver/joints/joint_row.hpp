@@ -13,8 +13,8 @@
 
 #include "dynamics/joint_store.hpp"
 #include "math/lane_vec.hpp"
-#include "solver/body_lanes.hpp"
-#include "solver/softness.hpp"
+#include "solver/rows/body_lanes.hpp"
+#include "solver/rows/softness.hpp"
 
 #include <algorithm>
 #include <array>
