@@ -13,6 +13,7 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
     const std::size_t count = records.size() + 1;
     detail::make_room(records, count);
     detail::make_room(geometry, count);
+    detail::make_room(extents, count);
     detail::make_room(bounds, count);
     detail::make_room(place_in_moved, count);
     detail::make_room(moved, count); // so that marking a shape never allocates
@@ -21,6 +22,7 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
     {
         records.emplace_back();
         geometry.emplace_back();
+        extents.emplace_back();
         bounds.emplace_back();
         place_in_moved.push_back(null_index);
     }
@@ -36,6 +38,7 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
                      .filter = def.filter,
                      .user_data = def.user_data};
     geometry[slot] = shape;
+    extents[slot] = extent_of(shape);
     bounds[slot] = {};
     return slot;
 }
@@ -47,6 +50,7 @@ void ShapeStore::shrink()
     slots.drop_tail();
     cut(records, slots.size());
     cut(geometry, slots.size());
+    cut(extents, slots.size());
     cut(bounds, slots.size());
     cut(place_in_moved, slots.size());
     cut(moved, moved.size());
@@ -64,6 +68,7 @@ void ShapeStore::reserve(std::size_t count)
     slots.reserve(count);
     records.reserve(count);
     geometry.reserve(count);
+    extents.reserve(count);
     bounds.reserve(count);
     moved.reserve(count);
     place_in_moved.reserve(count);

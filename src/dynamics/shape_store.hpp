@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/slot_pool.hpp"
+#include "geometry/extent.hpp"
 #include "geometry/tolerances.hpp"
 
 #include <carom/math.hpp>
@@ -53,6 +54,7 @@ public:
         : slots(memory),
           records(&memory),
           geometry(&memory),
+          extents(&memory),
           bounds(&memory),
           moved(&memory),
           place_in_moved(&memory)
@@ -78,6 +80,7 @@ public:
     SlotPool slots;
     std::pmr::vector<ShapeRecord> records;
     std::pmr::vector<Geometry> geometry;
+    std::pmr::vector<Extent> extents; ///< of the geometry
     std::pmr::vector<ShapeBounds> bounds;
     std::pmr::vector<std::uint32_t> moved;          ///< slots whose fat bounds are new since the last search for pairs, in any order
     std::pmr::vector<std::uint32_t> place_in_moved; ///< by slot; null_index when not there

@@ -38,6 +38,12 @@ float outer_radius(const Geometry& geometry, Vec2 point)
     return most + polygon.radius;
 }
 
+Extent extent_of(const Geometry& geometry)
+{
+    const Vec2 middle = middle_of(geometry);
+    return {middle, inner_radius(geometry), outer_radius(geometry, middle)};
+}
+
 float rounding(const Geometry& geometry)
 {
     if (const auto* circle = std::get_if<Circle>(&geometry)) return circle->radius;

@@ -17,6 +17,16 @@ float inner_radius(const Geometry& geometry);
 /// Distance from a point to the farthest point of the shape [m].
 float outer_radius(const Geometry& geometry, Vec2 point);
 
+/// Those numbers together, kept beside a shape that is asked for them often.
+struct Extent
+{
+    Vec2 middle;     ///< [m]
+    float inner = 0; ///< inner_radius() [m]
+    float outer = 0; ///< outer_radius() about the middle [m]
+};
+
+Extent extent_of(const Geometry& geometry);
+
 /// The radius by which a shape's corners are round [m]: all of a circle's; 0 for what does not roll.
 float rounding(const Geometry& geometry);
 

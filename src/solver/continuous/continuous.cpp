@@ -86,13 +86,13 @@ bool are_parts_of_one(const BodyStore& bodies, std::uint32_t a, std::uint32_t b)
 
 /// An order of shapes on their ways that doesn't depend on when they were created: thin ones first, those without an inside last, and of equal
 /// ones the one that goes farther.
-bool goes_first(const Geometry& a, const Sweep& way_a, const Geometry& b, const Sweep& way_b)
+bool goes_first(const ShapeStore& shapes, std::uint32_t a, const Sweep& way_a, std::uint32_t b, const Sweep& way_b)
 {
-    const auto rank = [](const Geometry& shape, const Sweep& way)
+    const auto rank = [&](std::uint32_t shape, const Sweep& way)
     {
-        const float thickness = inner_radius(shape);
-        return std::tuple(thickness > 0 ? thickness : std::numeric_limits<float>::max(), outer_radius(shape, middle_of(shape)),
-                          shape.index(), -length(center_way(way)));
+        const Extent& extent = shapes.extents[shape];
+        return std::tuple(extent.inner > 0 ? extent.inner : std::numeric_limits<float>::max(), extent.outer, shapes.geometry[shape].index(),
+                          -length(center_way(way)));
     };
     return rank(a, way_a) < rank(b, way_b);
 }
@@ -197,8 +197,7 @@ void ContinuousCollision::add_candidate(std::uint32_t mover, std::uint32_t shape
     if (other_mover == mover) return;
     // The core of A must not go into B. Of two fast bodies A is the thinner one, whichever was created first.
     const bool are_both_fast = other_mover != null_index && movers_[other_mover].is_fast;
-    if (are_both_fast &&
-        goes_first(near.shapes.geometry[other], movers_[other_mover].sweep, near.shapes.geometry[shape], movers_[mover].sweep))
+    if (are_both_fast && goes_first(near.shapes, other, movers_[other_mover].sweep, shape, movers_[mover].sweep))
     {
         std::swap(mover, other_mover);
         std::swap(shape, other);
@@ -286,16 +285,15 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     Pair& pair = pairs_[index];
     if (after >= 1 || (!can_be_stopped(pair.mover_a) && !can_be_stopped(pair.mover_b))) return;
 
-    const Geometry* geometry = &near.shapes.geometry[pair.shape_a];
-    const Geometry* other = &near.shapes.geometry[pair.shape_b];
+    std::uint32_t shape = pair.shape_a;
+    std::uint32_t other = pair.shape_b;
     Sweep way_a = rest_of_way(pair.mover_a, pair.shape_a, after, near.bodies, near.shapes);
     Sweep way_b = rest_of_way(pair.mover_b, pair.shape_b, after, near.bodies, near.shapes);
-    float thickness = inner_radius(*geometry);
-    float other_thickness = inner_radius(*other);
+    float thickness = near.shapes.extents[shape].inner;
+    float other_thickness = near.shapes.extents[other].inner;
     const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
-    const auto is_dynamic = [&](std::uint32_t shape) { return near.bodies.is_dynamic(near.shapes.records[shape].body); };
-    const auto is_held = [&](std::uint32_t shape)
-    { return near.bodies.records[near.shapes.records[shape].body].first_joint != null_index; };
+    const auto is_dynamic = [&](std::uint32_t s) { return near.bodies.is_dynamic(near.shapes.records[s].body); };
+    const auto is_held = [&](std::uint32_t s) { return near.bodies.records[near.shapes.records[s].body].first_joint != null_index; };
     const bool are_held = is_held(pair.shape_a) && is_held(pair.shape_b);
     const bool has_bullet = movers_[pair.mover_a].is_bullet || (pair.mover_b != null_index && movers_[pair.mover_b].is_bullet);
     const float least_way = has_bullet ? 0 : fast_way(thinner, tolerances);
@@ -305,27 +303,29 @@ void ContinuousCollision::seek_impact(std::uint32_t index, float after, const Su
     const bool are_both_fast = pair.mover_b != null_index && movers_[pair.mover_b].is_fast;
     if (are_dynamic && are_crowded && are_both_fast && other_thickness > thickness)
     {
-        std::swap(geometry, other);
+        std::swap(shape, other);
         std::swap(way_a, way_b);
         std::swap(thickness, other_thickness);
     }
     const float first_share = !are_dynamic ? sliding_share : are_crowded ? crowding_share : grazing_share;
-    if (!may_pass_through(path_of(*geometry, way_a), path_of(*other, way_b), least_way, first_share * thickness, tolerances.linear_slop))
+    if (!may_pass_through(path_of(near.shapes.extents[shape], way_a), path_of(near.shapes.extents[other], way_b), least_way,
+                          first_share * thickness, tolerances.linear_slop))
         return;
 
-    const ConvexPoints points_b = convex_points(*other);
+    const Geometry& geometry = near.shapes.geometry[shape];
+    const ConvexPoints points_b = convex_points(near.shapes.geometry[other]);
     const float apart = tolerances.impact_distance + tolerances.linear_slop; // well above the rounding of either answer
-    if (stays_apart(core_of(*geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
+    if (stays_apart(core_of(geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})
     {
-        inside = time_of_impact(core_of(*geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
+        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
         if (!inside || *inside > 0) break;
     }
     if (!inside || *inside <= 0 || may_pass(pair, near)) return;
     const std::optional<float> touch =
-        time_of_impact(convex_points(*geometry), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
+        time_of_impact(convex_points(geometry), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
     const float time = after + (1 - after) * (touch && *touch > 0 ? *touch : *inside);
     impacts_.push_back({time, index, version_of(pair)});
     std::push_heap(impacts_.begin(), impacts_.end(), std::greater<>());
@@ -428,7 +428,7 @@ void ContinuousCollision::follow(std::uint32_t index, std::uint32_t carrier, flo
     for (std::uint32_t shape = near.bodies.records[movers_[index].body].first_shape; shape != null_index;
          shape = near.shapes.records[shape].next_of_body)
     {
-        const SweptPath path = path_of(near.shapes.geometry[shape], way);
+        const SweptPath path = path_of(near.shapes.extents[shape], way);
         const Aabb middle = merge(Aabb{path.from, path.from}, Aabb{path.from + path.way, path.from + path.way});
         Collector collector(near_);
         broad_phase.query(expanded(middle, path.reach), collector);
@@ -488,8 +488,8 @@ void ContinuousCollision::find_crossings(const BodyStore& bodies, const ShapeSto
         const std::optional<float> time = time_of_impact(convex_points(a), way_a, convex_points(b), way_b, touch, tolerances);
         if (!time) continue;
         // From just outside, it goes through when its core does.
-        const bool is_through =
-            *time > 0 || time_of_impact(core_of(a, sliding_share * inner_radius(a)), way_a, convex_points(b), way_b, touch, tolerances);
+        const bool is_through = *time > 0 || time_of_impact(core_of(a, sliding_share * shapes.extents[pair.shape_a].inner), way_a,
+                                                            convex_points(b), way_b, touch, tolerances);
         if (is_through) crossings_.push_back({std::min(pair.shape_a, pair.shape_b), std::max(pair.shape_a, pair.shape_b)});
     }
     std::sort(crossings_.begin(), crossings_.end());

@@ -22,14 +22,12 @@ struct SweptPath
     float swing; ///< of its farthest point by turning [m]
 };
 
-inline SweptPath path_of(const Geometry& geometry, const Sweep& sweep)
+inline SweptPath path_of(const Extent& shape, const Sweep& sweep)
 {
-    const Vec2 middle = middle_of(geometry);
-    const Vec2 arm = middle - sweep.local_center;
+    const Vec2 arm = shape.middle - sweep.local_center;
     const float bow = length(arm) * std::min(std::abs(sweep.turn), 2.0f); // by which turning takes the middle off the line
-    const float reach = outer_radius(geometry, middle);
-    return {sweep.center_start + rotate(sweep.q_start, arm), sweep.center_end - sweep.center_start, reach + bow,
-            std::abs(sweep.turn) * (reach + length(arm))};
+    return {sweep.center_start + rotate(sweep.q_start, arm), sweep.center_end - sweep.center_start, shape.outer + bow,
+            std::abs(sweep.turn) * (shape.outer + length(arm))};
 }
 
 /// What costs little and tells most pairs apart: discs around both shapes come within reach of each other, and the two move by more, as seen from

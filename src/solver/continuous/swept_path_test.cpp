@@ -38,12 +38,14 @@ TEST(SweptPath, LetsThroughWhateverMeetsAndHoldsBackMostThatDoesNot)
         const Sweep way_a = random_sweep(random);
         const Sweep way_b = random_sweep(random);
         const bool meets = time_of_impact(convex_points(a), way_a, convex_points(b), way_b, Tolerances{}.impact_distance).has_value();
-        const bool passes = may_pass_through(path_of(a, way_a), path_of(b, way_b), 0, 0, Tolerances{}.linear_slop);
+        const bool passes = may_pass_through(path_of(extent_of(a), way_a), path_of(extent_of(b), way_b), 0, 0, Tolerances{}.linear_slop);
         EXPECT_TRUE(passes || !meets) << i;
         // So it is for what is left of A without its outermost part.
         const float depth = 0.25f * inner_radius(a);
         const bool core_meets = time_of_impact(core_of(a, depth), way_a, convex_points(b), way_b, Tolerances{}.impact_distance).has_value();
-        EXPECT_TRUE(may_pass_through(path_of(a, way_a), path_of(b, way_b), 0, depth, Tolerances{}.linear_slop) || !core_meets) << i;
+        EXPECT_TRUE(may_pass_through(path_of(extent_of(a), way_a), path_of(extent_of(b), way_b), 0, depth, Tolerances{}.linear_slop) ||
+                    !core_meets)
+            << i;
         met += meets;
         missed += !meets;
         held_back += !passes;
@@ -57,8 +59,8 @@ TEST(SweptPath, HoldsBackWhatMovesTogether)
     const Geometry disc = Circle{{}, 0.5f};
     const Sweep a = {.local_center = {}, .center_start = {0, 0}, .center_end = {10, 0}, .q_start = {}, .turn = 0};
     const Sweep b = {.local_center = {}, .center_start = {1.01f, 0}, .center_end = {10.9f, 0}, .q_start = {}, .turn = 0};
-    EXPECT_FALSE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.25f, 0, Tolerances{}.linear_slop));
-    EXPECT_TRUE(may_pass_through(path_of(disc, a), path_of(disc, b), 0.1f, 0, Tolerances{}.linear_slop));
+    EXPECT_FALSE(may_pass_through(path_of(extent_of(disc), a), path_of(extent_of(disc), b), 0.25f, 0, Tolerances{}.linear_slop));
+    EXPECT_TRUE(may_pass_through(path_of(extent_of(disc), a), path_of(extent_of(disc), b), 0.1f, 0, Tolerances{}.linear_slop));
 }
 
 TEST(StaysApart, holds_back_nothing_that_meets_and_most_that_slides_along)
