@@ -171,7 +171,8 @@ int report(const Surroundings& surroundings, const std::exception& error, int st
 int run_arguments(const std::vector<std::string>& arguments, const Surroundings& surroundings)
 {
     CLI::App app("Carom, a 2D rigid-body physics engine: runs its scenes without a window.", "carom");
-    app.set_version_flag("--version", std::string("carom ") + CAROM_VERSION + ", " + std::string(name_of(World().simd())));
+    const auto version = [] { return std::string("carom ") + CAROM_VERSION + ", " + std::string(name_of(World().simd())); };
+    app.set_version_flag("--version", version);
     app.require_subcommand(1);
     app.footer(examples);
     add_scenes_command(app, surroundings);

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <unistd.h>
@@ -147,6 +149,23 @@ TEST_F(Program, bad_usage_is_refused_with_status_2_and_a_clear_message)
         EXPECT_EQ(outcome.out, "") << line;
         EXPECT_NE(outcome.err.find(one.message), std::string::npos) << line << ": " << outcome.err;
     }
+}
+
+TEST_F(Program, a_wrong_instruction_set_in_the_environment_is_named)
+{
+    setenv("CAROM_SIMD", "mmx", 1);
+    const Outcome version = carom({"--version"});
+    const Outcome run = carom({"run", "gravity", "--steps", "2"});
+    unsetenv("CAROM_SIMD");
+    EXPECT_NE(version.status, 0);
+    EXPECT_NE(version.err.find("CAROM_SIMD (in the environment) is mmx"), std::string::npos) << version.err;
+    EXPECT_NE(run.status, 0);
+    EXPECT_NE(run.err.find("CAROM_SIMD"), std::string::npos) << run.err;
+    EXPECT_EQ(carom({"run", "gravity", "--steps", "2", "--simd", "mmx"}).status, 2);
+    const std::string hash = "hash of the world";
+    const Outcome scalar = carom({"run", "gravity", "--steps", "20", "--simd", "scalar"});
+    const Outcome best = carom({"run", "gravity", "--steps", "20", "--simd", "best"});
+    EXPECT_EQ(scalar.out.substr(scalar.out.find(hash)), best.out.substr(best.out.find(hash)));
 }
 
 TEST_F(Program, help_and_version_succeed)
