@@ -6,11 +6,10 @@
 #include <carom/report.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <unistd.h>
