@@ -233,6 +233,27 @@ inline void scatter(float* motions, const BodyIndices<Lanes<4>>& indices, const 
 
 #endif
 
+#if !defined(__SSE2__)
+
+inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<4>>& indices)
+{
+    BodyLanes<Lanes<4>> lanes;
+    for (int i = 0; i < 4; ++i)
+    {
+        const float* motion = motions + motion_floats * indices[static_cast<std::size_t>(i)];
+        lanes.v.x.v[i] = motion[0];
+        lanes.v.y.v[i] = motion[1];
+        lanes.w.v[i] = motion[2];
+        lanes.dp.x.v[i] = motion[3];
+        lanes.dp.y.v[i] = motion[4];
+        lanes.dq.c.v[i] = motion[5];
+        lanes.dq.s.v[i] = motion[6];
+    }
+    return lanes;
+}
+
+#endif
+
 #if defined(__AVX2__)
 
 /// Eight bodies, a column of each of their floats.
