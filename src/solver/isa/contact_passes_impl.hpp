@@ -28,7 +28,8 @@ void for_rows(void* rows, std::size_t begin, std::size_t end, float* motions, co
 }
 
 template <class F, int N>
-[[gnu::flatten]] bool prepare_rows(void* rows, std::size_t begin, std::size_t end, const float* motions, const PassConstants<float>& constants)
+[[gnu::flatten]] bool prepare_rows(void* rows, std::size_t begin, std::size_t end, const float* motions,
+                                   const PassConstants<float>& constants)
 {
     const PassConstants<F> k = widened<F>(constants);
     bool any_bounces = false;
@@ -118,7 +119,8 @@ template <class F, int N>
 }
 
 template <class F, int N>
-inline constexpr ContactPasses contact_passes = {&prepare_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>, &bounce_rows<F, N>};
+inline constexpr ContactPasses contact_passes = {&prepare_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
+                                                 &bounce_rows<F, N>};
 
 template <class F>
 inline constexpr SolverPasses solver_passes = {lane_width<F>, contact_passes<F, 1>, contact_passes<F, 2>};
