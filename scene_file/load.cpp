@@ -3,6 +3,7 @@
 #include "scene_file/player.hpp"
 #include "scene_file/reader.hpp"
 #include "scene_file/reading.hpp"
+#include "scene_file/snapshot.hpp"
 
 #include <carom/scene_file.hpp>
 
@@ -56,18 +57,6 @@ void rehearse(const SceneFile& file, const std::string& name, float length_unit)
     FilePlayback playback(file, name);
     playback.begin(world);
     playback.before_step(world, most_file_steps);
-}
-
-FileWorld settings_of(const World& world)
-{
-    return {.gravity = world.gravity(),
-            .continuous = world.is_continuous(),
-            .sleep = world.sleep_tuning(),
-            .solver = world.solver_tuning(),
-            .mixing = world.mixing(),
-            .hit_speed = world.hit_speed(),
-            .length_unit = world.length_unit(),
-            .max_pairs = world.max_pairs()};
 }
 
 /// All but the length unit, which no world changes, and the fields. What stays the same is not set, since some of these calls wake bodies.

@@ -218,14 +218,7 @@ void compare(SceneFile& file, const World& world)
 SceneFile parts_of(const World& world, const Names& names)
 {
     SceneFile file;
-    file.world = {.gravity = world.gravity(),
-                  .continuous = world.is_continuous(),
-                  .sleep = world.sleep_tuning(),
-                  .solver = world.solver_tuning(),
-                  .mixing = world.mixing(),
-                  .hit_speed = world.hit_speed(),
-                  .length_unit = world.length_unit(),
-                  .max_pairs = world.max_pairs()};
+    file.world = settings_of(world);
     for (const FieldId field : world.fields()) file.world.fields.push_back(world.field(field));
     std::map<BodyId, int> numbers;
     for (const BodyId id : world.bodies())
@@ -239,6 +232,18 @@ SceneFile parts_of(const World& world, const Names& names)
 }
 
 } // namespace
+
+FileWorld settings_of(const World& world)
+{
+    return {.gravity = world.gravity(),
+            .continuous = world.is_continuous(),
+            .sleep = world.sleep_tuning(),
+            .solver = world.solver_tuning(),
+            .mixing = world.mixing(),
+            .hit_speed = world.hit_speed(),
+            .length_unit = world.length_unit(),
+            .max_pairs = world.max_pairs()};
+}
 
 SceneFile snapshot_of(const World& world, const SceneNames* names)
 {

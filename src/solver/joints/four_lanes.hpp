@@ -4,8 +4,6 @@
 #include "math/lane_trig.hpp"
 
 #include <array>
-#include <bit>
-#include <cstdint>
 
 namespace carom::detail
 {
@@ -106,7 +104,5 @@ inline FourLanes lane_atan2(const FourLanes& y, const FourLanes& x)
 }
 inline float& lane(FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
 inline float lane(const FourLanes& f, int i) { return f.f[static_cast<std::size_t>(i)]; }
-
-inline bool same_bits(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
 
 } // namespace carom::detail

@@ -1,4 +1,5 @@
 // The joint solver in four lanes gives the bits of the scalar one.
+#include "math/same_bits_test.hpp"
 #include "solver/joints/four_lanes.hpp"
 #include "solver/joints/joint_solver_impl.hpp"
 #include "solver/rows/integrate.hpp"

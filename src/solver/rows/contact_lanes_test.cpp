@@ -1,4 +1,5 @@
 // The contact solver gives the bits of the scalar one in the lanes of every instruction set.
+#include "math/same_bits_test.hpp"
 #include "solver/isa/dispatch.hpp"
 #include "solver/rows/contact_solver.hpp"
 
@@ -98,8 +99,6 @@ void run(RandomPile& pile, Simd simd)
     solver.store_impulses(pile.contacts, pile.bodies.watches);
 }
 
-bool has_same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 void expect_same_bits(const RandomPile& one, const RandomPile& wide)
 {
     for (std::size_t i = 0; i < one.bodies.motions.size(); ++i)
@@ -111,13 +110,13 @@ void expect_same_bits(const RandomPile& one, const RandomPile& wide)
     {
         const ContactManifold& a = one.contacts.manifolds[slot];
         const ContactManifold& b = wide.contacts.manifolds[slot];
-        ASSERT_TRUE(has_same_bits(a.total_rolling, b.total_rolling) && has_same_bits(a.carried_impulse, b.carried_impulse)) << slot;
+        ASSERT_TRUE(same_bits(a.total_rolling, b.total_rolling) && same_bits(a.carried_impulse, b.carried_impulse)) << slot;
         for (std::size_t p = 0; p < static_cast<std::size_t>(a.count); ++p)
         {
-            ASSERT_TRUE(has_same_bits(a.points[p].normal_impulse, b.points[p].normal_impulse)) << slot;
-            ASSERT_TRUE(has_same_bits(a.points[p].tangent_impulse, b.points[p].tangent_impulse)) << slot;
-            ASSERT_TRUE(has_same_bits(a.points[p].total_normal, b.points[p].total_normal)) << slot;
-            ASSERT_TRUE(has_same_bits(a.points[p].normal_velocity, b.points[p].normal_velocity)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].normal_impulse, b.points[p].normal_impulse)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].tangent_impulse, b.points[p].tangent_impulse)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].total_normal, b.points[p].total_normal)) << slot;
+            ASSERT_TRUE(same_bits(a.points[p].normal_velocity, b.points[p].normal_velocity)) << slot;
         }
     }
 }
@@ -150,9 +149,9 @@ TEST_P(ContactLanes, do_not_write_what_nothing_pushes)
     for (std::uint32_t body = 0; body < RandomPile::body_count; ++body)
     {
         if (pile.bodies.is_dynamic(body)) continue;
-        ASSERT_TRUE(has_same_bits(pile.bodies.velocity(body).x, before.bodies.velocity(body).x));
-        ASSERT_TRUE(has_same_bits(pile.bodies.velocity(body).y, before.bodies.velocity(body).y));
-        ASSERT_TRUE(has_same_bits(pile.bodies.spin(body), before.bodies.spin(body)));
+        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).x, before.bodies.velocity(body).x));
+        ASSERT_TRUE(same_bits(pile.bodies.velocity(body).y, before.bodies.velocity(body).y));
+        ASSERT_TRUE(same_bits(pile.bodies.spin(body), before.bodies.spin(body)));
     }
     EXPECT_EQ(pile.bodies.motions[0].v, Vec2{});
 }
