@@ -63,19 +63,29 @@ TEST(Car, its_wheels_stay_where_they_belong)
 
 TEST(Car, the_bridge_and_the_seesaw_hold)
 {
-    const auto scene = make_scene("car");
-    float largest = 0;
-    for (int i = 0; i < 1500; ++i)
+    // How hard the car lands on the bridge differs from seed to seed: planks open by 7 to 19 mm for a step or two.
+    for (const std::uint64_t seed : {1u, 2u, 3u})
     {
-        scene->step();
-        for (const JointId id : scene->world().joints())
+        const auto scene = make_scene("car", {}, seed);
+        float largest = 0;
+        float sum_of_widest = 0;
+        constexpr int steps = 1500;
+        for (int i = 0; i < steps; ++i)
         {
-            const JointView joint = scene->world().joint(id);
-            if (joint.type() == JointType::Revolute) largest = std::max(largest, joint.error());
+            scene->step();
+            float widest = 0;
+            for (const JointId id : scene->world().joints())
+            {
+                const JointView joint = scene->world().joint(id);
+                if (joint.type() == JointType::Revolute) widest = std::max(widest, joint.error());
+            }
+            largest = std::max(largest, widest);
+            sum_of_widest += widest;
         }
+        EXPECT_GT(largest, 0) << "of what bears a load";
+        EXPECT_LT(largest, 0.02f) << seed;
+        EXPECT_LT(sum_of_widest / steps, 0.0003f) << seed;
     }
-    EXPECT_GT(largest, 0) << "of what bears a load";
-    EXPECT_LT(largest, 0.015f);
 }
 
 TEST(Car, keys_drive_and_brake)

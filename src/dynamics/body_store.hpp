@@ -113,7 +113,6 @@ struct BodyRecord
     std::uint32_t next_in_island = null_index;
     std::uint32_t first_joint = null_index; ///< joint edge, see JointStore
     std::uint32_t color_mask = 0;           ///< solver colours in use by this body's contacts
-    std::uint32_t joint_color_mask = 0;     ///< and by its joints
     std::uint64_t user_data = 0;
     std::uint64_t put_to_sleep_at = never; ///< the number of steps when the user last did so
     Transform goal;                        ///< where Body::move_to leads it, while its watch says that it has a goal

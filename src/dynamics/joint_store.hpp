@@ -43,7 +43,6 @@ struct Joint
     float break_torque = 0; ///< [N m]
     std::uint64_t user_data = 0;
     bool collide_connected = false;
-    std::uint8_t color = 255;                   ///< the solver's colour while it is active
     std::uint32_t place_in_active = null_index; ///< of those that the solver works on
     bool is_active() const { return place_in_active != null_index; }
 

@@ -9,6 +9,7 @@
 #include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
+#include "solver/rows/graph_colors.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -125,7 +126,7 @@ void shrink(WorldState& world)
     world.events.shrink();
     cut(world.quarantined, 0);
     cut(world.quarantine_reasons, 0);
-    world.joint_solver = JointSolver<float>(world.memory_for(MemoryCategory::Solver));
+    world.joint_solver = JointSolver(world.memory_for(MemoryCategory::Solver));
     world.field_forces = FieldForces(world.memory_for(MemoryCategory::Solver));
     world.arena.release();
     reserve_for_edits(world);

@@ -22,7 +22,6 @@ void retire_joint(WorldState& world, std::uint32_t slot)
 {
     Joint& joint = world.joints.joints[slot];
     if (!joint.is_active()) return;
-    take_color(slot, world.joints, world.bodies);
     world.joints.deactivate(slot);
 }
 
@@ -32,7 +31,6 @@ void refresh_joint(WorldState& world, std::uint32_t slot)
     const bool should = should_be_active(world, joint);
     if (!should) return retire_joint(world, slot);
     if (joint.is_active()) return;
-    give_color(slot, world.joints, world.bodies);
     world.joints.activate(slot);
     if (joint.body_a == null_index) return;
     const bool are_dynamic = world.bodies.is_dynamic(joint.body_a) && world.bodies.is_dynamic(joint.body_b);

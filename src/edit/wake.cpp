@@ -2,6 +2,7 @@
 #include "edit/wake.hpp"
 
 #include "edit/edits.hpp"
+#include "solver/rows/graph_colors.hpp"
 #include "state/walks.hpp"
 
 namespace carom::detail

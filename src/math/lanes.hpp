@@ -15,7 +15,12 @@ struct LaneTraits<float>
 {
     static constexpr int width = 1;
     using Mask = bool;
+    using Double = double;
 };
+
+/// As many lanes of double precision, with arithmetic, comparisons and select.
+template <class F>
+using DoubleOf = typename LaneTraits<F>::Double;
 
 template <class F>
 inline constexpr int lane_width = LaneTraits<F>::width;
@@ -24,9 +29,14 @@ inline constexpr int lane_width = LaneTraits<F>::width;
 inline float select(bool mask, float yes, float no) { return mask ? yes : no; }
 /// Whether any lane of a mask is set.
 inline bool any(bool mask) { return mask; }
+inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 inline float lane_max(float a, float b) { return a > b ? a : b; }
 inline float lane_min(float a, float b) { return a < b ? a : b; }
 inline float lane_sqrt(float a) { return __builtin_sqrtf(a); }
+
+inline double to_double(float f) { return f; }
+/// To the nearest.
+inline float to_single(double d) { return static_cast<float>(d); }
 
 /// One lane of a number, for gather and scatter.
 inline float& lane(float& f, int) { return f; }

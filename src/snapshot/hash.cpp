@@ -181,7 +181,7 @@ void add_joints(Hasher& hasher, const detail::JointStore& joints)
         if (!joints.slots.is_live(slot)) continue;
         const detail::Joint& joint = joints.joints[slot];
         hasher.add_all(joint.body_a, joint.body_b, joint.next[0], joint.next[1], joint.collide_connected, joint.break_force,
-                       joint.break_torque, int{joint.color}, joint.place_in_active, joint.angle, joint.gear_slip, joint.drive, joint.force);
+                       joint.break_torque, joint.place_in_active, joint.angle, joint.gear_slip, joint.drive, joint.force);
         add(hasher, joint.frame_a), add(hasher, joint.frame_b);
         add_spec(hasher, joint.spec);
         for (const float impulse : joint.rigid) hasher.add(impulse);

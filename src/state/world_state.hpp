@@ -69,7 +69,7 @@ struct WorldState
     float last_substep = 0; ///< [s]; 0 before the first
 
     // Kept so that they need not grow again.
-    JointSolver<float> joint_solver;
+    JointSolver joint_solver;
     FieldForces field_forces;
     LinearResource arena; ///< scratch of a step, and of nothing else
 };

@@ -136,7 +136,6 @@ private:
             const Joint& joint = joints_.joints[slot];
             const bool pushes = (joint.body_a != null_index && bodies_.is_pushable(joint.body_a)) || bodies_.is_pushable(joint.body_b);
             expect(!joint.is_active() || pushes, "an active joint can push", slot);
-            expect(joint.is_active() == (joint.color != no_color), "an active joint has a colour", slot);
             if (!joint.is_active()) continue;
             expect(joint.place_in_active < joints_.active.size() && joints_.active[joint.place_in_active] == slot,
                    "active joints are listed", slot);

@@ -71,7 +71,7 @@ ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int su
     ColorLists contacts(world.contacts, world.arena);
     if (dt == 0) return contacts; // nothing will be solved
     const float h = dt / static_cast<float>(substeps);
-    world.joint_solver.build(ColorLists(world.joints, world.arena), world.bodies, world.joints,
+    world.joint_solver.build(passes_of(world.simd), world.bodies, world.joints,
                              make_joint_constants(world.tuning, h, world.last_substep, world.shapes.tolerances));
     solver.build(contacts, world.bodies, world.contacts,
                  make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances));
@@ -92,7 +92,7 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
 {
     const float h = dt / static_cast<float>(substeps);
     BodyStore& bodies = world.bodies;
-    JointSolver<float>& joints = world.joint_solver;
+    JointSolver& joints = world.joint_solver;
     run(Stage::Restitution, [&] { bounce(world, contacts); });
     for (int i = 0; i < substeps; ++i)
     {
@@ -123,7 +123,8 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
         contacts.store_impulses(world.contacts, bodies.watches);
         contacts.mark_driven(bodies.motions, bodies.watches);
         joints.mark_driven(bodies.motions, bodies.watches);
-        joints.store_impulses(bodies.motions, world.joints, 1 / dt);
+        joints.conclude(bodies.motions);
+        joints.store_impulses(world.joints, 1 / dt);
         break_joints(world);
     });
 }

@@ -21,11 +21,11 @@ inline constexpr std::array scenes = {
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
     SceneHash{"chain-terrain", 0x33b80fed8eccfe73}, SceneHash{"tiles", 0x85d3ac19385e9673},
     SceneHash{"one-way", 0x4b5fe22b1b856faf},       SceneHash{"bullets", 0x6ce5c7105fe166d},
-    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0x3d7fc7b7e4a19f81},
-    SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0xcef6805e7a52ee2d},
+    SceneHash{"sleep", 0x89f4c3687e6c4c4f},         SceneHash{"bridge", 0xbfecb59540c950bc},
+    SceneHash{"domino", 0xe57f3fc8a5956175},        SceneHash{"newton-cradle", 0x77e4745f76f7ead1},
     SceneHash{"card-house", 0x9e4f029d082c323f},    SceneHash{"arch", 0xd8c75ad6617e8205},
-    SceneHash{"joints", 0x678178a1041489a1},        SceneHash{"ragdolls", 0xc50f2104eb41a8e3},
-    SceneHash{"car", 0xec7bbd39d71b64e1},           SceneHash{"mass-ratio", 0xea776f6c64947e6c},
+    SceneHash{"joints", 0x9881b7ec3b55b3af},        SceneHash{"ragdolls", 0x88a1e802151a1da7},
+    SceneHash{"car", 0xef171a07e68080fe},           SceneHash{"mass-ratio", 0x3a20a224fc55cb4c},
 };
 
 inline constexpr std::uint64_t mixed_world = 0xb5b7c27234e02be;

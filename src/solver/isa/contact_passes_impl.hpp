@@ -122,7 +122,4 @@ template <class F, int N>
 inline constexpr ContactPasses contact_passes = {&prepare_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
                                                  &bounce_rows<F, N>};
 
-template <class F>
-inline constexpr SolverPasses solver_passes = {lane_width<F>, contact_passes<F, 1>, contact_passes<F, 2>};
-
 } // namespace carom::detail

@@ -1,7 +1,7 @@
 // From the choice of an instruction set to its passes.
 #pragma once
 
-#include "solver/isa/contact_passes.hpp"
+#include "solver/isa/solver_passes.hpp"
 
 #include <carom/simd.hpp>
 

@@ -1,7 +1,7 @@
 // Eight lanes. Compiled for AVX2.
 #include "solver/isa/wide_lanes.hpp"
 
-#include "solver/isa/contact_passes_impl.hpp"
+#include "solver/isa/solver_passes_impl.hpp"
 
 #if defined(__x86_64__)
 

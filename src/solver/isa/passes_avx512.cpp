@@ -1,7 +1,7 @@
 // Sixteen lanes. Compiled for AVX-512 with its F, DQ and VL parts.
 #include "solver/isa/wide_lanes.hpp"
 
-#include "solver/isa/contact_passes_impl.hpp"
+#include "solver/isa/solver_passes_impl.hpp"
 
 #if defined(__x86_64__)
 

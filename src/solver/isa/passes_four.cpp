@@ -1,7 +1,7 @@
 // Four lanes, which every machine has: SSE2, NEON or WASM.
 #include "solver/isa/wide_lanes.hpp"
 
-#include "solver/isa/contact_passes_impl.hpp"
+#include "solver/isa/solver_passes_impl.hpp"
 
 namespace carom::detail
 {

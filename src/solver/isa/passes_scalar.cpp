@@ -1,5 +1,5 @@
 // One lane: the reference.
-#include "solver/isa/contact_passes_impl.hpp"
+#include "solver/isa/solver_passes_impl.hpp"
 
 namespace carom::detail
 {

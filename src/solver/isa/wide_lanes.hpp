@@ -20,6 +20,8 @@ struct Registers<4>
 {
     using Floats = float __attribute__((vector_size(16)));
     using Ints = int __attribute__((vector_size(16)));
+    using Doubles = double __attribute__((vector_size(16)));
+    using Longs = long long __attribute__((vector_size(16)));
 };
 
 template <>
@@ -27,6 +29,8 @@ struct Registers<8>
 {
     using Floats = float __attribute__((vector_size(32)));
     using Ints = int __attribute__((vector_size(32)));
+    using Doubles = double __attribute__((vector_size(32)));
+    using Longs = long long __attribute__((vector_size(32)));
 };
 
 template <>
@@ -34,6 +38,8 @@ struct Registers<16>
 {
     using Floats = float __attribute__((vector_size(64)));
     using Ints = int __attribute__((vector_size(64)));
+    using Doubles = double __attribute__((vector_size(64)));
+    using Longs = long long __attribute__((vector_size(64)));
 };
 
 /// `Width` floats.
@@ -59,11 +65,38 @@ struct LaneMask
     typename Registers<Width>::Ints v;
 };
 
+/// Two registers of doubles, the lower half of the lanes and the upper: `Width` in all.
+template <int Width>
+struct DoubleLanes
+{
+    using Half = typename Registers<Width>::Doubles;
+
+    DoubleLanes() = default;
+    explicit DoubleLanes(double all)
+    {
+        for (int i = 0; i < Width / 2; ++i) low[i] = high[i] = all;
+    }
+    DoubleLanes(Half low_half, Half high_half) : low(low_half), high(high_half) {}
+
+    Half low;
+    Half high;
+};
+
+template <int Width>
+struct DoubleMask
+{
+    using Half = typename Registers<Width>::Longs;
+
+    Half low;
+    Half high;
+};
+
 template <int Width>
 struct LaneTraits<Lanes<Width>>
 {
     static constexpr int width = Width;
     using Mask = LaneMask<Width>;
+    using Double = DoubleLanes<Width>;
 };
 
 template <int Width>
@@ -110,6 +143,81 @@ template <int Width>
 Lanes<Width> select(LaneMask<Width> mask, Lanes<Width> yes, Lanes<Width> no)
 {
     return mask.v ? yes.v : no.v;
+}
+
+template <int Width>
+DoubleLanes<Width> operator+(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low + b.low, a.high + b.high};
+}
+template <int Width>
+DoubleLanes<Width> operator-(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low - b.low, a.high - b.high};
+}
+template <int Width>
+DoubleLanes<Width> operator*(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low * b.low, a.high * b.high};
+}
+template <int Width>
+DoubleLanes<Width> operator/(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low / b.low, a.high / b.high};
+}
+template <int Width>
+DoubleLanes<Width> operator-(const DoubleLanes<Width>& a)
+{
+    return {-a.low, -a.high};
+}
+template <int Width>
+DoubleMask<Width> operator>(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low > b.low, a.high > b.high};
+}
+template <int Width>
+DoubleMask<Width> operator<(const DoubleLanes<Width>& a, const DoubleLanes<Width>& b)
+{
+    return {a.low < b.low, a.high < b.high};
+}
+template <int Width>
+DoubleLanes<Width> select(const DoubleMask<Width>& mask, const DoubleLanes<Width>& yes, const DoubleLanes<Width>& no)
+{
+    return {mask.low ? yes.low : no.low, mask.high ? yes.high : no.high};
+}
+
+template <int Width>
+DoubleLanes<Width> to_double(Lanes<Width> f)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return {_mm_cvtps_pd(f.v), _mm_cvtps_pd(_mm_movehl_ps(f.v, f.v))};
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return {_mm256_cvtps_pd(_mm256_castps256_ps128(f.v)), _mm256_cvtps_pd(_mm256_extractf128_ps(f.v, 1))};
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return {_mm512_cvtps_pd(_mm512_castps512_ps256(f.v)), _mm512_cvtps_pd(_mm512_extractf32x8_ps(f.v, 1))};
+#endif
+    DoubleLanes<Width> d;
+    for (int i = 0; i < Width / 2; ++i) d.low[i] = static_cast<double>(f.v[i]), d.high[i] = static_cast<double>(f.v[i + Width / 2]);
+    return d;
+}
+
+template <int Width>
+Lanes<Width> to_single(const DoubleLanes<Width>& d)
+{
+#if defined(__SSE2__)
+    if constexpr (Width == 4) return _mm_movelh_ps(_mm_cvtpd_ps(d.low), _mm_cvtpd_ps(d.high));
+#endif
+#if defined(__AVX2__)
+    if constexpr (Width == 8) return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(d.low)), _mm256_cvtpd_ps(d.high), 1);
+#endif
+#if defined(__AVX512F__)
+    if constexpr (Width == 16) return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(d.low)), _mm512_cvtpd_ps(d.high), 1);
+#endif
+    Lanes<Width> f;
+    for (int i = 0; i < Width / 2; ++i) f.v[i] = static_cast<float>(d.low[i]), f.v[i + Width / 2] = static_cast<float>(d.high[i]);
+    return f;
 }
 
 template <int Width>

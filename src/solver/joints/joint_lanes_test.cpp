@@ -1,11 +1,13 @@
-// The joint solver in four lanes gives the bits of the scalar one.
+// The joint solver gives the same bits in lanes of every width.
 #include "math/same_bits_test.hpp"
-#include "solver/joints/four_lanes.hpp"
-#include "solver/joints/joint_solver_impl.hpp"
+#include "solver/isa/dispatch.hpp"
+#include "solver/joints/joint_solver.hpp"
 #include "solver/rows/integrate.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <memory_resource>
 #include <random>
@@ -13,8 +15,6 @@
 
 namespace carom::detail
 {
-
-template class JointSolver<FourLanes>;
 
 namespace
 {
@@ -77,6 +77,12 @@ struct RandomNet
         }
     }
 
+    bool is_on_rail(std::uint32_t body) const
+    {
+        const Vec2 inv_mass = bodies.masses[bodies.motion_index[body]].inv_mass;
+        return (inv_mass.x == 0) != (inv_mass.y == 0);
+    }
+
     void connect(std::uint32_t a, std::uint32_t b)
     {
         Joint joint;
@@ -84,7 +90,11 @@ struct RandomNet
         if (std::holds_alternative<MouseJoint>(joint.spec)) a = null_index;
         const bool needs_a = std::holds_alternative<GearJoint>(joint.spec) || std::holds_alternative<PulleyJoint>(joint.spec);
         if (a == b || (needs_a && a == null_index)) return;
-        if (!bodies.is_dynamic(b) && (a == null_index || !bodies.is_dynamic(a))) return;
+        const bool can_move_a = a != null_index && bodies.is_dynamic(a);
+        const bool can_move_b = bodies.is_dynamic(b);
+        if (!can_move_a && !can_move_b) return;
+        // A body on a rail that is pinned to the ground: where its arm lies along the rail no impulse is large enough.
+        if ((!can_move_a && is_on_rail(b)) || (!can_move_b && is_on_rail(a))) return;
         joint.body_a = a;
         joint.body_b = b;
         // The frames nearly meet.
@@ -102,7 +112,6 @@ struct RandomNet
         joint.drive = {from(-1, 1), from(-1, 1)};
         joint.force = coin() ? Vec2{} : Vec2{from(-5000, 5000), from(-5000, 5000)};
         const std::uint32_t slot = joints.create(joint, bodies);
-        give_color(slot, joints, bodies);
         joints.activate(slot);
     }
 
@@ -110,18 +119,59 @@ struct RandomNet
     std::mt19937 engine;
     BodyStore bodies{*std::pmr::new_delete_resource()};
     JointStore joints{*std::pmr::new_delete_resource()};
-    ColorLists colors() const { return {joints, *std::pmr::new_delete_resource()}; }
 };
 
-template <class F>
-void run(RandomNet& net)
+/// Chains of pins with limits that hang from the world, each a little different.
+struct Chains
+{
+    static constexpr std::uint32_t links = 6;
+
+    /// @param only the one to make of them, or -1 for all
+    explicit Chains(int count, int only = -1)
+    {
+        for (int i = 0; i < count; ++i)
+            if (only < 0 || only == i) add(i);
+    }
+
+    void add(int chain)
+    {
+        const auto k = static_cast<float>(chain);
+        std::uint32_t before = null_index;
+        for (std::uint32_t i = 0; i < links; ++i)
+        {
+            const Vec2 place{3 * k + static_cast<float>(i), chain == 1 ? 2.0f : 0.0f};
+            const std::uint32_t body = bodies.create({.position = place, .linear_velocity = {0.1f * k, -1}, .angular_velocity = 0.3f * k});
+            const bool is_heavy = chain == 2 && i + 1 == links;
+            bodies.masses[bodies.motion_index[body]] = {Vec2{1, 1} * (is_heavy ? 0.001f : 1.0f), is_heavy ? 0.01f : 12.0f};
+            Joint joint;
+            joint.spec = RevoluteJoint{.limit = Range{-0.1f, 0.1f}};
+            joint.body_a = before;
+            joint.body_b = body;
+            joint.frame_a = {before == null_index ? Vec2{3 * k - 0.5f, 0} : Vec2{0.5f, 0}, {}};
+            joint.frame_b = {{-0.5f, 0}, {}};
+            joints.activate(joints.create(joint, bodies));
+            before = body;
+        }
+    }
+
+    const BodyMotion& motion(int chain, std::uint32_t link) const
+    {
+        return bodies.motions[bodies.motion_index[static_cast<std::uint32_t>(chain) * links + link]];
+    }
+
+    BodyStore bodies{*std::pmr::new_delete_resource()};
+    JointStore joints{*std::pmr::new_delete_resource()};
+};
+
+template <class Net>
+void run(Net& net, Simd simd)
 {
     constexpr float h = 1 / 240.0f;
-    JointSolver<F> solver(*std::pmr::new_delete_resource());
+    JointSolver solver(*std::pmr::new_delete_resource());
     std::span<BodyMotion> motions = net.bodies.motions;
     for (int step = 0; step < 2; ++step)
     {
-        solver.build(net.colors(), net.bodies, net.joints, make_joint_constants({}, h, step == 0 ? h / 2 : h));
+        solver.build(passes_of(simd), net.bodies, net.joints, make_joint_constants({}, h, step == 0 ? h / 2 : h));
         for (int substep = 0; substep < 3; ++substep)
         {
             solver.warm_start(motions);
@@ -129,16 +179,24 @@ void run(RandomNet& net)
             integrate_positions(motions, h);
             solver.relax(motions);
         }
-        solver.store_impulses(motions, net.joints, 1 / (3 * h));
+        solver.conclude(motions);
+        solver.store_impulses(net.joints, 1 / (3 * h));
         for (BodyMotion& motion : motions) motion.dp = {}, motion.dq = {};
     }
 }
 
-void expect_same_bits(const RandomNet& one, const RandomNet& four)
+/// Now and then random joints contradict each other so that they drive their bodies up without end: a comparison of NaNs would show nothing.
+bool is_sane(const RandomNet& net)
+{
+    const auto& motions = net.bodies.motions;
+    return std::all_of(motions.begin(), motions.end(), [](const BodyMotion& motion) { return length(motion.v) < 1e12f; });
+}
+
+template <class Net>
+void expect_same_bits(const Net& one, const Net& four)
 {
     for (std::size_t i = 0; i < one.bodies.motions.size(); ++i)
     {
-        ASSERT_TRUE(length(one.bodies.motions[i].v) < 1e12f) << "motion " << i; // a comparison of NaNs would show nothing
         ASSERT_EQ(std::memcmp(&one.bodies.motions[i], &four.bodies.motions[i], sizeof(BodyMotion)), 0) << "motion " << i;
     }
     for (std::uint32_t slot = 0; slot < one.joints.slots.size(); ++slot)
@@ -161,17 +219,46 @@ void expect_same_bits(const RandomNet& one, const RandomNet& four)
 
 } // namespace
 
-TEST(JointLanes, FourLanesGiveTheBitsOfOne)
+TEST(JointLanes, EveryWidthGivesTheBitsOfOneLane)
 {
-    for (unsigned seed = 0; seed < 30; ++seed)
+    for (const Simd simd : all_simd)
     {
-        RandomNet one(seed);
-        RandomNet four(seed);
-        ASSERT_FALSE(one.colors().list(overflow_color).empty());
-        run<float>(one);
-        run<FourLanes>(four);
-        expect_same_bits(one, four);
-        if (HasFatalFailure()) return;
+        if (!is_available(simd)) continue;
+        int compared = 0;
+        for (unsigned seed = 0; seed < 30; ++seed)
+        {
+            RandomNet one(seed);
+            RandomNet wide(seed);
+            run(one, Simd::Scalar);
+            run(wide, simd);
+            if (!is_sane(one)) continue;
+            ++compared;
+            expect_same_bits(one, wide);
+            if (HasFatalFailure()) return;
+        }
+        EXPECT_GE(compared, 25);
+    }
+}
+
+TEST(JointLanes, MechanismsSideBySideGiveTheBitsOfEachAlone)
+{
+    // Chains of one kind, one of which is far from closed, and one with a heavy end.
+    for (const Simd simd : all_simd)
+    {
+        if (!is_available(simd)) continue;
+        for (const int count : {1, 2, 5, 16, 21})
+        {
+            Chains together(count);
+            run(together, simd);
+            for (int i = 0; i < count; ++i)
+            {
+                Chains one(count, i);
+                run(one, simd);
+                for (std::uint32_t link = 0; link < Chains::links; ++link)
+                    ASSERT_EQ(std::memcmp(&one.motion(0, link), &together.motion(i, link), offsetof(BodyMotion, slot)), 0)
+                        << count << ", " << i;
+            }
+        }
     }
 }
 
@@ -179,7 +266,7 @@ TEST(JointLanes, WhatNothingPushesIsNotWritten)
 {
     RandomNet net(1);
     const RandomNet before(1);
-    run<FourLanes>(net);
+    run(net, Simd::Four);
     for (std::uint32_t body = 0; body < RandomNet::body_count; ++body)
     {
         if (net.bodies.is_dynamic(body)) continue;

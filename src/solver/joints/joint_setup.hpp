@@ -1,29 +1,34 @@
 // Between joints and their rows: fills a joint into a lane of a row, and takes the results out again.
 #pragma once
 
-#include "solver/joints/joint_kernels.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/joint_store.hpp"
+#include "math/lane_array.hpp"
+#include "solver/kernels/joint_kernels.hpp"
+#include "solver/rows/body_lanes.hpp"
+#include "solver/rows/softness.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <variant>
 
 namespace carom::detail
 {
 
+static_assert(most_rigid == max_rigid_rows && most_controls == max_controls);
+static_assert(std::variant_size_v<JointSpec> == static_cast<std::size_t>(RowType::Pulley) + 1);
+
 /// How many rows of which kind a joint has. Lanes of one row agree in it.
 struct JointShape
 {
-    int rigid = 0;
-    int controls = 0;
+    std::uint32_t rigid = 0;
+    std::uint32_t controls = 0;
     bool has_drive = false;
     bool has_ends = false; ///< a motor or a range
 
-    std::size_t key() const
-    {
-        return 1 + static_cast<std::size_t>(rigid) + 4 * static_cast<std::size_t>(controls) + (has_drive ? 12u : 0u) +
-               (has_ends ? 24u : 0u);
-    }
+    std::uint32_t key() const { return 1 + rigid + 4 * controls + (has_drive ? 12u : 0u) + (has_ends ? 24u : 0u); }
 };
 
 template <class Spec>
@@ -40,19 +45,19 @@ inline JointShape shape_of(const JointSpec& spec)
     {
         const auto& pin = *std::get_if<RevoluteJoint>(&spec);
         const bool has_ends = has_limit_or_motor(pin);
-        return {2, has_ends || pin.spring ? 1 : 0, false, has_ends}; // nobody asks for the angle of a mere pin
+        return {2, has_ends || pin.spring ? 1u : 0u, false, has_ends}; // nobody asks for the angle of a mere pin
     }
     case JointType::Prismatic: return {2, 1, false, has_limit_or_motor(*std::get_if<PrismaticJoint>(&spec))};
     case JointType::Distance:
     {
         const auto& distance = *std::get_if<DistanceJoint>(&spec);
         const bool is_rod = !distance.limit && !distance.spring;
-        return {is_rod ? 1 : 0, is_rod ? 0 : 1, false, distance.limit.has_value()};
+        return {is_rod ? 1u : 0u, is_rod ? 0u : 1u, false, distance.limit.has_value()};
     }
     case JointType::Weld:
     {
         const auto& weld = *std::get_if<WeldJoint>(&spec);
-        return {(weld.linear ? 0 : 2) + (weld.angular ? 0 : 1), weld.angular ? 1 : 0, weld.linear.has_value()};
+        return {(weld.linear ? 0u : 2u) + (weld.angular ? 0u : 1u), weld.angular ? 1u : 0u, weld.linear.has_value()};
     }
     case JointType::Wheel: return {1, 2, false, has_limit_or_motor(*std::get_if<WheelJoint>(&spec))};
     case JointType::Motor: return {0, 1, true};
@@ -62,13 +67,15 @@ inline JointShape shape_of(const JointSpec& spec)
     }
 }
 
-/// All lanes free: they push nothing.
+/// Makes a row whose lanes are free: they push nothing.
+/// @param memory row_bytes<F>() of the shape
 template <class F>
-JointRow<F> empty_row(const JointSpec& spec)
+JointRow<F>& start_row(void* memory, const JointSpec& spec)
 {
-    JointRow<F> row = {};
     const JointShape shape = shape_of(spec);
-    row.type = static_cast<JointType>(spec.index());
+    std::memset(memory, 0, row_bytes<F>(shape.controls, shape.has_drive));
+    JointRow<F>& row = *static_cast<JointRow<F>*>(memory);
+    row.type = static_cast<RowType>(spec.index());
     row.rigid_count = shape.rigid;
     row.control_count = shape.controls;
     row.has_drive = shape.has_drive;
@@ -141,13 +148,12 @@ inline JointFrames frames_of(const Joint& joint, const BodyStore& bodies)
     return f;
 }
 
-/// Angle of frame B in frame A, on the turn that the joint has counted to; of joints that hold it, on the turn nearest to where it is held.
-inline float angle_of(const Joint& joint, const JointFrames& f)
+/// An angle near which that of frame B in frame A is wanted: where the joint has counted to, or where it holds.
+inline float near_angle(const Joint& joint)
 {
-    const float wrapped = angle(relative(f.a.q, f.b.q));
-    if (std::holds_alternative<WeldJoint>(joint.spec) || std::holds_alternative<PrismaticJoint>(joint.spec)) return unwrapped(wrapped, 0);
-    if (const auto* motor = std::get_if<MotorJoint>(&joint.spec)) return unwrapped(wrapped, motor->angle);
-    return unwrapped(wrapped, joint.angle);
+    if (std::holds_alternative<WeldJoint>(joint.spec) || std::holds_alternative<PrismaticJoint>(joint.spec)) return 0;
+    if (const auto* motor = std::get_if<MotorJoint>(&joint.spec)) return motor->angle;
+    return joint.angle;
 }
 
 /// What is special to a type.
@@ -155,7 +161,9 @@ template <class F>
 void fill_type(JointRow<F>& row, int i, const Joint& joint, const JointFrames& f, const JointStepConstants& k)
 {
     const auto control = [&](std::size_t index, const ControlSetup& setup)
-    { fill_control(row.controls[index], i, setup, joint.controls[index], k); };
+    {
+        if (index < row.control_count) fill_control(row.controls[index], i, setup, joint.controls[index], k);
+    };
     const auto target = [](const std::optional<Spring>& spring) { return spring ? spring->target : 0.0f; };
     const auto drive = [&](const Spring& spring, float max_force)
     {
@@ -173,7 +181,7 @@ void fill_type(JointRow<F>& row, int i, const Joint& joint, const JointFrames& f
     if (const auto* s = std::get_if<DistanceJoint>(&joint.spec))
     {
         lane(row.length, i) = s->length;
-        if (row.control_count > 0) control(0, {s->limit, {}, s->spring, s->length});
+        control(0, {s->limit, {}, s->spring, s->length});
     }
     if (const auto* s = std::get_if<WeldJoint>(&joint.spec))
     {
@@ -207,12 +215,11 @@ void fill_type(JointRow<F>& row, int i, const Joint& joint, const JointFrames& f
 
 /// How strongly the forces of a joint turn a body back that turns out of their line: force times arm [N m/rad]. A link of length L under a
 /// tension T has T L.
-inline void add_stiffness(const Joint& joint, const BodyStore& bodies, std::span<float> stiffness)
+/// @param stiffness by motion index
+inline void add_stiffness(const Joint& joint, const JointFrames& f, std::uint32_t body_a, std::uint32_t body_b, std::span<float> stiffness)
 {
-    if (joint.force == Vec2{}) return;
-    const JointFrames f = frames_of(joint, bodies);
-    stiffness[bodies.motion_index[joint.body_b]] += dot(joint.force, f.b.p - f.center_b);
-    if (joint.body_a != null_index) stiffness[bodies.motion_index[joint.body_a]] -= dot(joint.force, f.a.p - f.center_a);
+    stiffness[body_b] += dot(joint.force, f.b.p - f.center_b);
+    stiffness[body_a] -= dot(joint.force, f.a.p - f.center_a);
 }
 
 /// The inverse inertia that joints see. A light link under a high tension swings at sqrt(stiffness / inertia), faster than substeps can follow
@@ -227,8 +234,10 @@ inline constexpr float link_pace = 1;
 inline constexpr float loaded_link_pace = 0.3f;
 
 /// Writes a joint into lane `i` of a row of its type and shape.
+/// @param stiffness gains what the joint adds, by motion index
 template <class F>
-void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, const JointStepConstants& k)
+void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, const BodyStore& bodies, const JointStepConstants& k,
+              std::span<float> stiffness)
 {
     const JointFrames f = frames_of(joint, bodies);
     const std::uint32_t index_a = joint.body_a == null_index ? 0 : bodies.motion_index[joint.body_a];
@@ -249,13 +258,17 @@ void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, c
     // A mouse pulls from its target, wherever the frame of A is.
     const auto* mouse = std::get_if<MouseJoint>(&joint.spec);
     const Vec2 from = mouse ? mouse->target : f.a.p;
+    const Rot facing = relative(f.a.q, f.b.q);
     set_lane(row.arm_a, i, f.a.p - f.center_a);
     set_lane(row.arm_b, i, f.b.p - f.center_b);
     set_lane(row.apart, i, f.b.p - from);
     set_lane(row.axis, i, rotate(f.a.q, Vec2{1, 0}));
-    lane(row.turn, i) = angle_of(joint, f);
-    for (std::size_t r = 0; r < static_cast<std::size_t>(row.rigid_count); ++r) lane(row.lambda[r], i) = k.warm_scale * joint.rigid[r];
+    lane(row.facing.c, i) = facing.c;
+    lane(row.facing.s, i) = facing.s;
+    lane(row.turn, i) = near_angle(joint);
+    for (std::size_t r = 0; r < row.rigid_count; ++r) lane(row.lambda[r], i) = k.warm_scale * joint.rigid[r];
     fill_type(row, i, joint, f, k);
+    add_stiffness(joint, f, index_a, index_b, stiffness);
 }
 
 /// Whether everything that a joint keeps for the next step is finite.
@@ -270,10 +283,10 @@ inline bool is_sound(const Joint& joint)
 
 /// Takes lane `i` of a row back into its joint.
 template <class F>
-void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b, Joint& joint, float inv_dt)
+void store_row(const JointRow<F>& row, int i, Joint& joint, float inv_dt)
 {
-    for (std::size_t r = 0; r < static_cast<std::size_t>(row.rigid_count); ++r) joint.rigid[r] = lane(row.lambda[r], i);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(row.control_count); ++c)
+    for (std::size_t r = 0; r < row.rigid_count; ++r) joint.rigid[r] = lane(row.lambda[r], i);
+    for (std::size_t c = 0; c < row.control_count; ++c)
     {
         const ControlRow<F>& control = row.controls[c];
         joint.controls[c] = {lane(control.lambda_spring, i), lane(control.lambda_motor, i), lane(control.lambda_lower, i),
@@ -283,8 +296,8 @@ void store_row(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyL
     if (row.has_drive) joint.drive = {lane(row.drive.lambda.x, i), lane(row.drive.lambda.y, i)};
     joint.force = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
     joint.torque = inv_dt * lane(row.total_twist, i);
-    const float turn = lane(turn_of(row, a, b), i);
-    const float slip = row.type == JointType::Gear ? lane(row.error[0], i) : 0.0f;
+    const float turn = counts_turns(row) ? lane(row.turn, i) : joint.angle;
+    const float slip = row.type == RowType::Gear ? lane(row.error[0], i) : joint.gear_slip;
     if (!is_sound(joint) || !is_finite(Vec2{turn, slip})) return forget_impulses(joint); // one of its bodies is about to be quarantined
     joint.angle = turn;
     joint.gear_slip = slip;

@@ -3,7 +3,7 @@
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
-#include "solver/isa/contact_passes.hpp"
+#include "solver/isa/solver_passes.hpp"
 #include "solver/rows/graph_colors.hpp"
 #include "solver/rows/softness.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/tolerances.hpp"
+#include "solver/kernels/joint_row.hpp"
 
 #include <carom/math.hpp>
 #include <carom/world.hpp>
@@ -32,20 +33,6 @@ inline Softness make_softness(float hertz, float damping_ratio, float h)
     const float a = h * omega * damping;
     return {.bias_rate = omega / damping, .mass_scale = a / (1 + a), .impulse_scale = 1 / (1 + a)};
 }
-
-/// A damped spring of a joint, over one substep. With x the deflection before the substep and v the velocity after:
-///   lambda = -m h (omega^2 (x + theta h v) + 2 zeta omega v)
-/// theta = 0 takes the force where the substep begins: an undamped spring then swings for ever, as it should, but too stiff a one blows up.
-/// theta = 1 takes it where the substep ends: stable at any stiffness, and it brakes. Springs are taken at the beginning up to
-/// omega h = 0.5 (19 Hz at 240 substeps a second), where that is safe, and then more and more at the end. Solved for lambda:
-///   change = -m (damping J v + push x) - impulse_scale lambda
-template <class F>
-struct SpringRow
-{
-    F damping;       ///< s / (1 + s), s = h (theta h omega^2 + 2 zeta omega)
-    F push;          ///< h omega^2 / (1 + s) [1/s]
-    F impulse_scale; ///< 1 / (1 + s)
-};
 
 inline SpringRow<float> make_spring(float hertz, float damping_ratio, float h)
 {
@@ -124,7 +111,8 @@ struct JointStepConstants
     float h = 0;           ///< substep [s]
     float inv_h = 0;       ///< [1/s]
     float warm_scale = 1;  ///< as for contacts
-    Softness rigid;        ///< of rows that hold something; those that are solved together read its bias_rate alone
+    float bias_rate = 0;   ///< at which rows that hold something undo their error [1/s]
+    Softness single;       ///< of such rows that are solved one by one
     float length_unit = 1; ///< of the world [m]
 };
 
@@ -132,11 +120,14 @@ struct JointStepConstants
 /// @param h_before substep of the last step [s]; 0 when there was none
 inline JointStepConstants make_joint_constants(const SolverTuning& tuning, float h, float h_before, const Tolerances& tolerances = {})
 {
-    const float hertz = std::min(tuning.joint_hertz, 0.25f / h);
+    const Softness rigid = make_softness(std::min(tuning.joint_hertz, 0.25f / h), tuning.joint_damping_ratio, h);
+    // Stiffer: a net sags less. Still stiffer ones shake a net of redundant pins apart (RedundantJoints.a_net_of_pins_hangs, from 0.5 / h and ratio 1 on).
+    const Softness single = make_softness(std::min(1.8f * tuning.joint_hertz, 0.45f / h), 0.25f * tuning.joint_damping_ratio, h);
     return {.h = h,
             .inv_h = 1 / h,
             .warm_scale = warm_scale_of(tuning, h, h_before),
-            .rigid = make_softness(hertz, tuning.joint_damping_ratio, h),
+            .bias_rate = rigid.bias_rate,
+            .single = single,
             .length_unit = tolerances.length_unit};
 }
 

@@ -11,17 +11,49 @@
 // @source H. C. Andersen, "Rattle", 1983 (position and velocity constraints); E. Catto, "Solver2D", 2024 (soft steps with relaxation)
 #pragma once
 
-#include "dynamics/joint_store.hpp"
 #include "math/lane_vec.hpp"
-#include "solver/rows/body_lanes.hpp"
-#include "solver/rows/softness.hpp"
+#include "solver/kernels/body_lanes.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace carom::detail
 {
+
+/// Most rows that one joint holds rigidly: x, y and the angle of a weld.
+inline constexpr std::size_t most_rigid = 3;
+/// Most coordinates that one joint limits, drives or springs: the slide and the angle of a wheel.
+inline constexpr std::size_t most_controls = 2;
+
+/// In the order of the alternatives of JointSpec.
+enum class RowType : std::uint32_t
+{
+    Revolute,
+    Prismatic,
+    Distance,
+    Weld,
+    Wheel,
+    Motor,
+    Mouse,
+    Gear,
+    Pulley
+};
+
+/// So many of something. An array of its own for each lane type, so that its functions are too.
+template <class T, std::size_t Count>
+struct LaneList
+{
+    T at[Count];
+
+    T& operator[](std::size_t i) { return at[i]; }
+    const T& operator[](std::size_t i) const { return at[i]; }
+    T* begin() { return at; }
+    T* end() { return at + Count; }
+};
+
+/// Something for each rigid row.
+template <class F>
+using RigidList = LaneList<F, most_rigid>;
 
 template <class F>
 struct Jacobian
@@ -32,16 +64,30 @@ struct Jacobian
     F s_b;
 };
 
+/// A damped spring of a joint, over one substep. With x the deflection before the substep and v the velocity after:
+///   lambda = -m h (omega^2 (x + theta h v) + 2 zeta omega v)
+/// theta = 0 takes the force where the substep begins: an undamped spring then swings for ever, as it should, but too stiff a one blows up.
+/// theta = 1 takes it where the substep ends: stable at any stiffness, and it brakes. Springs are taken at the beginning up to
+/// omega h = 0.5 (19 Hz at 240 substeps a second), where that is safe, and then more and more at the end. Solved for lambda:
+///   change = -m (damping J v + push x) - impulse_scale lambda
+template <class F>
+struct SpringRow
+{
+    F damping;       ///< s / (1 + s), s = h (theta h omega^2 + 2 zeta omega)
+    F push;          ///< h omega^2 / (1 + s) [1/s]
+    F impulse_scale; ///< 1 / (1 + s)
+};
+
 /// A coordinate and what acts on it. Parts that a joint does not have are zero and do nothing.
 template <class F>
 struct ControlRow
 {
     Jacobian<F> j;
-    F q;                                    ///< where it is
-    F curvature;                            ///< see above
-    F mass;                                 ///< 1 / (J M^-1 J^T): of the spring, whose hertz count without the joint's rigid rows
-    F held_mass;                            ///< of the motor and the range: what an impulse moves while the rigid rows hold
-    std::array<F, max_rigid_rows> reaction; ///< of the rigid rows, to an impulse of 1
+    F q;                   ///< where it is
+    F curvature;           ///< see above
+    F mass;                ///< 1 / (J M^-1 J^T): of the spring, whose hertz count without the joint's rigid rows
+    F held_mass;           ///< of the motor and the range: what an impulse moves while the rigid rows hold
+    RigidList<F> reaction; ///< of the rigid rows, to an impulse of 1
     F lower;
     F upper;
     F lambda_lower;
@@ -65,37 +111,37 @@ struct DriveRow
     LaneVec<F> lambda;
 };
 
-/// A joint in each lane, all of one type.
+/// A joint in each lane, all of one type. In memory a row ends before the parts that its joints do not have: see row_bytes.
 template <class F>
 struct JointRow
 {
-    JointType type = JointType::Revolute;
-    int rigid_count = 0;
-    int control_count = 0;
-    bool has_drive = false;
-    bool has_ends = false;  ///< whether coordinates have motors or ranges
-    bool any_alone = false; ///< whether any lane's rigid rows are solved by themselves, not together with other joints' (articulation.hpp)
+    RowType type;
+    std::uint32_t rigid_count;
+    std::uint32_t control_count;
+    bool has_drive;
+    bool has_ends; ///< whether coordinates have motors or ranges
 
     BodyIndices<F> body_a;
     BodyIndices<F> body_b;
     BodyIndices<F> pushed_a; ///< body_a where its velocity can change, else 0
     BodyIndices<F> pushed_b;
+    LaneIndices<F> joint; ///< where the lane's results go back to
     LaneVec<F> inv_mass_a;
     LaneVec<F> inv_mass_b;
     F inv_inertia_a;
     F inv_inertia_b;
-    F alone; ///< 1 in such a lane, else 0
-    F arc;   ///< 1 where the curvature counts; 0 in a rope that bears a load (Articulation::bears_a_load)
+    F arc; ///< 1 where the curvature counts; 0 in a rope that bears a load (heavy_load)
 
     // At the start of the step.
-    LaneVec<F> arm_a; ///< from A's centre of mass to the origin of frame A [m]
-    LaneVec<F> arm_b; ///< from B's to that of frame B [m]
-    LaneVec<F> apart; ///< from the origin of frame A to that of frame B [m]
-    LaneVec<F> axis;  ///< x axis of frame A
-    LaneVec<F>
-        place_a; ///< motor joint: the offset, turned into the world; pulley: from A's point to its ground point; gear: the slide axis of A
+    LaneVec<F> arm_a;  ///< from A's centre of mass to the origin of frame A [m]
+    LaneVec<F> arm_b;  ///< from B's to that of frame B [m]
+    LaneVec<F> apart;  ///< from the origin of frame A to that of frame B [m]
+    LaneVec<F> axis;   ///< x axis of frame A
+    LaneRot<F> facing; ///< of frame B, seen from frame A
+    /// Motor joint: the offset, turned into the world. Pulley: from A's point to its ground point. Gear: the slide axis of A.
+    LaneVec<F> place_a;
     LaneVec<F> place_b; ///< pulley and gear: the same of B
-    F turn;             ///< angle of frame B in frame A [rad]
+    F turn;             ///< angle of frame B in frame A over full turns [rad]; before find_turn() any angle on the same turn
     F length;           ///< distance joint [m]
     F ratio;            ///< gear and pulley
     F slip;             ///< gear: q_a + ratio q_b
@@ -104,17 +150,26 @@ struct JointRow
 
     // As of the last linearisation.
     LaneVec<F> r_b; ///< arm of the point about which force and torque are told
-    std::array<Jacobian<F>, max_rigid_rows> rigid;
-    std::array<F, max_rigid_rows> error;
-    std::array<F, max_rigid_rows> curvature;
-    std::array<ControlRow<F>, max_controls> controls;
-    DriveRow<F> drive;
+    RigidList<Jacobian<F>> rigid;
+    RigidList<F> error;
+    RigidList<F> curvature;
 
-    std::array<F, max_rigid_rows> lambda; ///< of this substep
-    LaneVec<F> total_impulse;             ///< on B over the step so far
-    F total_twist;                        ///< about the origin of frame B
-    LaneIndices<F> joint;                 ///< where the lane's results go back to
+    RigidList<F> lambda;      ///< of this substep
+    LaneVec<F> total_impulse; ///< on B over the step so far
+    F total_twist;            ///< about the origin of frame B
+
+    DriveRow<F> drive;
+    LaneList<ControlRow<F>, most_controls> controls;
 };
+
+/// How much of a row lies in memory.
+template <class F>
+constexpr std::size_t row_bytes(std::size_t control_count, bool has_drive)
+{
+    const std::size_t behind = sizeof(DriveRow<F>) + most_controls * sizeof(ControlRow<F>);
+    if (control_count > 0) return sizeof(JointRow<F>) - (most_controls - control_count) * sizeof(ControlRow<F>);
+    return sizeof(JointRow<F>) - behind + (has_drive ? sizeof(DriveRow<F>) : 0);
+}
 
 /// What the kernels of a pass share.
 template <class F>
@@ -122,11 +177,17 @@ struct JointConstants
 {
     F h;
     F inv_h;
-    F bias_rate;          ///< at which rigid rows undo their error [1/s]
-    F mass_scale;         ///< of rigid rows that are solved one by one
-    F impulse_scale;      ///< of the same
-    F length_unit = F(1); ///< of the world [m]
+    F bias_rate;     ///< at which rigid rows undo their error [1/s]
+    F mass_scale;    ///< of rigid rows that are solved one by one
+    F impulse_scale; ///< of the same
+    F length_unit;   ///< of the world [m]
 };
+
+template <class F>
+JointConstants<F> widened(const JointConstants<float>& k)
+{
+    return {F(k.h), F(k.inv_h), F(k.bias_rate), F(k.mass_scale), F(k.impulse_scale), F(k.length_unit)};
+}
 
 template <class F>
 F velocity(const Jacobian<F>& j, const BodyLanes<F>& a, const BodyLanes<F>& b)
@@ -157,14 +218,20 @@ F inverse_or_zero(F k)
     return select(k > F(0), F(1) / lane_max(k, F(1e-30f)), F(0));
 }
 
+/// Keeps the rows of one joint apart where locks leave its bodies fewer ways to move than it has rows: a share of the diagonal of K.
+inline constexpr float row_softness = 1e-5f;
+
 /// The impulses of the rigid rows that change their velocities by `x`: K impulses = x, by elimination in their order.
 template <class F>
-std::array<F, max_rigid_rows> impulses_for(const JointRow<F>& row, std::array<F, max_rigid_rows> x)
+RigidList<F> impulses_for(const JointRow<F>& row, RigidList<F> x)
 {
-    const auto count = static_cast<std::size_t>(row.rigid_count);
-    std::array<std::array<F, max_rigid_rows>, max_rigid_rows> m;
+    const std::size_t count = row.rigid_count;
+    RigidList<RigidList<F>> m;
     for (std::size_t i = 0; i < count; ++i)
+    {
         for (std::size_t j = 0; j < count; ++j) m[i][j] = coupling(row, row.rigid[i], row.rigid[j]);
+        m[i][i] = m[i][i] * F(1 + row_softness);
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
         const F inv = inverse_or_zero(m[i][i]);
@@ -191,12 +258,12 @@ inline constexpr float least_freedom = 0.01f;
 template <class F>
 void find_held_mass(const JointRow<F>& row, ControlRow<F>& c)
 {
-    std::array<F, max_rigid_rows> couplings = {};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) couplings[i] = coupling(row, row.rigid[i], c.j);
+    RigidList<F> couplings = {};
+    for (std::size_t i = 0; i < row.rigid_count; ++i) couplings[i] = coupling(row, row.rigid[i], c.j);
     c.reaction = impulses_for(row, couplings);
     const F free = coupling(row, c.j, c.j);
     F held = free;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) held = held - couplings[i] * c.reaction[i];
+    for (std::size_t i = 0; i < row.rigid_count; ++i) held = held - couplings[i] * c.reaction[i];
     c.held_mass = inverse_or_zero(lane_max(held, F(least_freedom) * free));
 }
 
@@ -205,7 +272,7 @@ template <class F>
 void apply_held(JointRow<F>& row, const ControlRow<F>& c, F lambda, BodyLanes<F>& a, BodyLanes<F>& b)
 {
     apply(row, c.j, lambda, a, b);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i)
+    for (std::size_t i = 0; i < row.rigid_count; ++i)
     {
         const F answer = F(0) - c.reaction[i] * lambda;
         row.lambda[i] = row.lambda[i] + answer;
@@ -233,8 +300,8 @@ LaneVec<F> reach_of_a(const JointRow<F>& row, const BodyLanes<F>& a)
 template <class F>
 void warm_start(JointRow<F>& row, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) apply(row, row.rigid[i], row.lambda[i], a, b);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    for (std::size_t i = 0; i < row.rigid_count; ++i) apply(row, row.rigid[i], row.lambda[i], a, b);
+    for (std::size_t i = 0; i < row.control_count; ++i)
     {
         const ControlRow<F>& c = row.controls[i];
         apply(row, c.j, c.lambda_spring + c.lambda_motor + c.lambda_lower - c.lambda_upper, a, b);
@@ -342,41 +409,32 @@ F bias_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
     return lane_max(F(0) - most, lane_min(k.bias_rate * row.error[i], most));
 }
 
-/// The joint's rigid rows together, in the biased or the relaxing pass.
+/// The joint's rigid rows together, apart from those of other joints, in the biased or the relaxing pass.
 template <bool WithBias, class F>
-void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+[[gnu::noinline, gnu::flatten]] void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    const auto count = static_cast<std::size_t>(row.rigid_count);
-    std::array<F, max_rigid_rows> missing = {};
-    for (std::size_t i = 0; i < count; ++i)
+    RigidList<F> missing = {};
+    for (std::size_t i = 0; i < row.rigid_count; ++i)
     {
         missing[i] = -velocity(row.rigid[i], a, b);
         if constexpr (WithBias) missing[i] = missing[i] - row.curvature[i] - bias_of(row, i, k);
     }
-    const std::array<F, max_rigid_rows> x = impulses_for(row, missing);
-    for (std::size_t i = 0; i < count; ++i)
+    const RigidList<F> x = impulses_for(row, missing);
+    for (std::size_t i = 0; i < row.rigid_count; ++i)
     {
         F change = x[i];
         if constexpr (WithBias) change = k.mass_scale * change - k.impulse_scale * row.lambda[i];
-        row.lambda[i] = select(row.alone > F(0), row.lambda[i] + change, row.lambda[i]);
+        row.lambda[i] = row.lambda[i] + change;
         apply(row, row.rigid[i], change, a, b);
     }
 }
 
-/// Lane by lane: where the mask is set the velocities of the first, else of the second.
-template <class F>
-void keep_velocity(const typename LaneTraits<F>::Mask& mask, BodyLanes<F>& body, const BodyLanes<F>& otherwise)
-{
-    body.v = {select(mask, body.v.x, otherwise.v.x), select(mask, body.v.y, otherwise.v.y)};
-    body.w = select(mask, body.w, otherwise.w);
-}
-
-/// One pass over a joint: what is soft first, what is rigid last. Rigid rows that are solved together with others' come after all joints.
+/// One pass over what is soft or one-sided.
 template <bool WithBias, class F>
-void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
+[[gnu::noinline, gnu::flatten]] void solve_controls(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
     if (WithBias && row.has_drive) solve_drive(row, a, b);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    for (std::size_t i = 0; i < row.control_count; ++i)
     {
         ControlRow<F>& c = row.controls[i];
         if constexpr (WithBias) solve_spring(row, c, a, b);
@@ -384,50 +442,14 @@ void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLa
         solve_motor(row, c, a, b);
         solve_range<WithBias>(row, c, k, a, b);
     }
-    if (!row.any_alone) return;
-    const BodyLanes<F> a_before = a;
-    const BodyLanes<F> b_before = b;
-    solve_rigid<WithBias>(row, k, a, b);
-    keep_velocity<F>(row.alone > F(0), a, a_before);
-    keep_velocity<F>(row.alone > F(0), b, b_before);
 }
 
-/// How near a drive must come to its target to be done [length units], [rad].
-inline constexpr float drive_tolerance = 0.005f;
-
-/// Whether the spring of a drive is still on the way to its target in lane `i`. An overdamped spring goes there at omega / (2 zeta) of
-/// what is missing; one that hangs in balance with a load does not move.
-/// @param missing what is missing to the target [m] or [rad]
-/// @param speed   at which that becomes less [m/s] or [rad/s]
-/// @param near    what may be missing [m] or [rad]
-template <class F>
-bool is_on_the_way(const SpringRow<F>& spring, int i, float missing, float speed, float near)
+/// One pass over a joint by itself: what is soft first, what is rigid last.
+template <bool WithBias, class F>
+void solve(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    const float damping = lane(spring.damping, i);
-    return damping > 0 && missing > near && is_at_work(speed, missing * lane(spring.push, i) / damping);
-}
-
-/// Whether a motor, or the drive of a motor joint or a mouse joint, moves the bodies of lane `i`.
-template <class F>
-bool is_driven(const JointRow<F>& row, int i, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
-{
-    const bool pulls = row.type == JointType::Motor || row.type == JointType::Mouse;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(row.control_count); ++c)
-    {
-        const ControlRow<F>& control = row.controls[c];
-        const float rate = lane(velocity(control.j, a, b), i);
-        if (lane(control.max_motor, i) > 0 && is_at_work(rate, lane(control.motor_speed, i))) return true;
-        const float past = lane(control.q - control.target, i);
-        if (pulls && lane(control.max_spring, i) > 0 &&
-            is_on_the_way(control.spring, i, std::abs(past), past > 0 ? -rate : rate, drive_tolerance))
-            return true;
-    }
-    if (!pulls || !(lane(row.drive.max_lambda, i) > 0)) return false;
-    const LaneVec<F> dv = (b.v + cross(b.w, row.r_b)) - (a.v + cross(a.w, reach_of_a(row, a)));
-    const float missing = lane(lane_sqrt(dot(row.drive.error, row.drive.error)), i);
-    const float near = drive_tolerance * lane(k.length_unit, i);
-    const float speed = -lane(dot(dv, row.drive.error), i) / std::max(missing, near);
-    return is_on_the_way(row.drive.spring, i, missing, speed, near);
+    solve_controls<WithBias>(row, k, a, b);
+    if (row.rigid_count > 0) solve_rigid<WithBias>(row, k, a, b);
 }
 
 /// Adds what the substep gave to the sums over the step.
@@ -439,8 +461,8 @@ void sum_up(JointRow<F>& row)
         row.total_impulse = row.total_impulse + j.l_b * lambda;
         row.total_twist = row.total_twist + lambda * (j.s_b - cross(row.r_b, j.l_b));
     };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i) add(row.rigid[i], row.lambda[i]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    for (std::size_t i = 0; i < row.rigid_count; ++i) add(row.rigid[i], row.lambda[i]);
+    for (std::size_t i = 0; i < row.control_count; ++i)
     {
         const ControlRow<F>& c = row.controls[i];
         add(c.j, c.lambda_spring + c.lambda_motor + c.lambda_lower - c.lambda_upper);

@@ -28,6 +28,7 @@ struct LaneTraits<Double>
 {
     static constexpr int width = 1;
     using Mask = bool;
+    using Double = detail::Double;
 };
 
 Double operator+(Double a, Double b) { return a.v + b.v; }
@@ -96,8 +97,9 @@ struct RandomJoint
         joint.frame_a = {{from(-1, 1), from(-1, 1)}, rotation(from(-3, 3))};
         joint.frame_b = {{from(-1, 1), from(-1, 1)}, rotation(from(-3, 3))};
         joint.gear_slip = from(-0.1f, 0.1f);
-        row = empty_row<Double>(spec);
-        fill_row(row, 0, 0, joint, bodies, make_joint_constants({}, 1 / 240.0f, 1 / 240.0f));
+        std::vector<float> stiffness(bodies.masses.size());
+        fill_row(start_row<Double>(&row, spec), 0, 0, joint, bodies, make_joint_constants({}, 1 / 240.0f, 1 / 240.0f), stiffness);
+        row.turn = lane_atan2(row.facing.s, row.facing.c);
 
         a = has_a ? place() : ExactLanes{{}, 0, {}, {1, 0}};
         b = place();
@@ -147,15 +149,15 @@ std::vector<Quantity> quantities(ExactRow row, const ExactLanes& a, const ExactL
     for (Double& f : row.curvature) f = 0;
     bend(row, a, b, k);
     std::vector<Quantity> all;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.rigid_count); ++i)
+    for (std::size_t i = 0; i < row.rigid_count; ++i)
         all.push_back({"rigid " + std::to_string(i), row.error[i].v, velocity(row.rigid[i], a, b).v, row.curvature[i].v});
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i)
+    for (std::size_t i = 0; i < row.control_count; ++i)
         all.push_back(
             {"control " + std::to_string(i), row.controls[i].q.v, velocity(row.controls[i].j, a, b).v, row.controls[i].curvature.v});
     return all;
 }
 
-const JointConstants<Double> exact_constants = {1 / 240.0, 240, 50, 0.9, 0.1};
+const JointConstants<Double> exact_constants = {1 / 240.0, 240, 50, 0.9, 0.1, 1.0};
 
 void for_each_random_joint(const std::function<void(const Case&, RandomJoint&)>& visit)
 {
@@ -255,12 +257,13 @@ TEST(JointSetup, EveryShapeOfRowHasAKeyOfItsOwnAndOneTypeHasOneOrder)
     for (const Case& c : cases)
     {
         const JointShape shape = shape_of(c.spec);
-        const ExactRow row = empty_row<Double>(c.spec);
+        ExactRow memory;
+        const ExactRow& row = start_row<Double>(&memory, c.spec);
         EXPECT_EQ(row.rigid_count, shape.rigid) << c.name;
         EXPECT_EQ(row.control_count, shape.controls) << c.name;
         EXPECT_EQ(row.has_drive, shape.has_drive) << c.name;
-        EXPECT_LE(shape.rigid, static_cast<int>(max_rigid_rows));
-        EXPECT_LE(shape.controls, static_cast<int>(max_controls));
+        EXPECT_LE(shape.rigid, most_rigid);
+        EXPECT_LE(shape.controls, most_controls);
         for (const Case& other : cases)
         {
             const JointShape s = shape_of(other.spec);

@@ -1,5 +1,6 @@
 // What each part of a joint row must keep: momentum, the limits of motors, springs and drives, and one-sided pushing.
-#include "solver/joints/joint_kernels.hpp"
+#include "solver/kernels/joint_kernels.hpp"
+#include "solver/rows/softness.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,23 +12,21 @@ namespace carom::detail
 namespace
 {
 
-using Row = JointRow<float>;
-using Lanes = BodyLanes<float>;
+using PlainRow = JointRow<float>;
+using PlainBody = BodyLanes<float>;
 
-constexpr JointConstants<float> constants = {1 / 240.0f, 240, 50, 0.9f, 0.1f};
+constexpr JointConstants<float> joint_constants = {1 / 240.0f, 240, 50, 0.9f, 0.1f, 1};
 
 /// Two bodies with random everything, A's centre of mass at the origin, that meet at a point.
-struct RandomRow
+struct RandomJointRow
 {
-    explicit RandomRow(unsigned seed, JointType type) : engine(seed)
+    explicit RandomJointRow(unsigned seed, RowType type) : engine(seed)
     {
         row.type = type;
         row.inv_mass_a = {0.5f, 0.5f};
         row.inv_mass_b = {2, 2};
         row.inv_inertia_a = from(0.1f, 3);
         row.inv_inertia_b = from(0.1f, 3);
-        row.alone = 1;
-        row.any_alone = true;
         row.arm_a = {from(-1, 1), from(-1, 1)};
         row.arm_b = row.arm_a - center_b;
         const Rot q = rotation(from(-3, 3));
@@ -53,18 +52,18 @@ struct RandomRow
 
     static constexpr LaneVec<float> center_b = {1, 1};
     std::mt19937 engine;
-    Row row = {};
-    Lanes a = {};
-    Lanes b = {};
+    PlainRow row = {};
+    PlainBody a = {};
+    PlainBody b = {};
 };
 
-struct Momentum
+struct JointMomentum
 {
     double x, y, angular;
 };
 
 /// About the centre of A.
-Momentum momentum(const RandomRow& c)
+JointMomentum momentum(const RandomJointRow& c)
 {
     const double m_a = 1 / double{c.row.inv_mass_a.x};
     const double m_b = 1 / double{c.row.inv_mass_b.x};
@@ -74,9 +73,9 @@ Momentum momentum(const RandomRow& c)
 }
 
 /// A slider on a rail, with its coordinate and what acts on it.
-struct Slider : RandomRow
+struct Slider : RandomJointRow
 {
-    explicit Slider(unsigned seed) : RandomRow(seed, JointType::Prismatic)
+    explicit Slider(unsigned seed) : RandomJointRow(seed, RowType::Prismatic)
     {
         row.control_count = 1;
         linearise(row, a, b);
@@ -90,20 +89,19 @@ struct Slider : RandomRow
 
 TEST(JointRow, InnerForcesKeepMomentum)
 {
-    const auto spring = make_spring(5, 0.3f, constants.h);
-    for (const JointType type :
-         {JointType::Revolute, JointType::Prismatic, JointType::Wheel, JointType::Weld, JointType::Distance, JointType::Motor})
+    const auto spring = make_spring(5, 0.3f, joint_constants.h);
+    for (const RowType type : {RowType::Revolute, RowType::Prismatic, RowType::Wheel, RowType::Weld, RowType::Distance, RowType::Motor})
         for (unsigned seed = 0; seed < 100; ++seed)
         {
-            RandomRow c(seed, type);
-            c.row.rigid_count = type == JointType::Weld                                   ? 3
-                                : type == JointType::Motor                                ? 0
-                                : type == JointType::Distance || type == JointType::Wheel ? 1
-                                                                                          : 2;
-            c.row.control_count = type == JointType::Weld ? 0 : type == JointType::Wheel ? 2 : 1;
-            c.row.has_drive = type == JointType::Motor;
+            RandomJointRow c(seed, type);
+            c.row.rigid_count = type == RowType::Weld                                 ? 3
+                                : type == RowType::Motor                              ? 0
+                                : type == RowType::Distance || type == RowType::Wheel ? 1
+                                                                                      : 2;
+            c.row.control_count = type == RowType::Weld ? 0 : type == RowType::Wheel ? 2 : 1;
+            c.row.has_drive = type == RowType::Motor;
             // Those that slide may be apart; so may what is pulled.
-            const bool may_be_apart = type != JointType::Revolute && type != JointType::Weld;
+            const bool may_be_apart = type != RowType::Revolute && type != RowType::Weld;
             if (may_be_apart) c.row.apart = {c.from(-1, 1), c.from(-1, 1)};
             if (may_be_apart) c.row.arm_b = c.row.arm_b + c.row.apart;
             for (ControlRow<float>& control : c.row.controls)
@@ -117,13 +115,13 @@ TEST(JointRow, InnerForcesKeepMomentum)
             }
             c.row.drive = {{}, spring, 5, {c.from(-1, 1), c.from(-1, 1)}};
             linearise(c.row, c.a, c.b);
-            const Momentum before = momentum(c);
+            const JointMomentum before = momentum(c);
             const float spin = c.a.w;
             warm_start(c.row, c.a, c.b);
-            bend(c.row, c.a, c.b, constants);
-            solve<true>(c.row, constants, c.a, c.b);
-            solve<false>(c.row, constants, c.a, c.b);
-            const Momentum after = momentum(c);
+            bend(c.row, c.a, c.b, joint_constants);
+            solve<true>(c.row, joint_constants, c.a, c.b);
+            solve<false>(c.row, joint_constants, c.a, c.b);
+            const JointMomentum after = momentum(c);
             ASSERT_NEAR(after.x, before.x, 1e-4) << static_cast<int>(type) << ", " << seed;
             ASSERT_NEAR(after.y, before.y, 1e-4) << static_cast<int>(type) << ", " << seed;
             ASSERT_NEAR(after.angular, before.angular, 2e-4) << static_cast<int>(type) << ", " << seed;
@@ -135,37 +133,22 @@ TEST(JointRow, TheRigidPassStopsAllRowsAtOnce)
 {
     for (unsigned seed = 0; seed < 100; ++seed)
     {
-        RandomRow c(seed, JointType::Weld);
+        RandomJointRow c(seed, RowType::Weld);
         c.row.rigid_count = 3;
         linearise(c.row, c.a, c.b);
-        solve<false>(c.row, constants, c.a, c.b);
+        solve<false>(c.row, joint_constants, c.a, c.b);
         for (const Jacobian<float>& j : c.row.rigid) ASSERT_NEAR(c.speed(j), 0, 2e-4) << seed;
     }
 }
 
-TEST(JointRow, RowsThatAreSolvedTogetherWithOthersAreLeftAlone)
-{
-    RandomRow c(1, JointType::Revolute);
-    c.row.rigid_count = 2;
-    c.row.alone = 0;
-    c.row.any_alone = true; // another lane's
-    linearise(c.row, c.a, c.b);
-    const Row before = c.row;
-    const Lanes b = c.b;
-    solve<true>(c.row, constants, c.a, c.b);
-    EXPECT_EQ(c.row.lambda, before.lambda);
-    EXPECT_EQ(c.b.v.x, b.v.x);
-    EXPECT_EQ(c.b.w, b.w);
-}
-
 TEST(JointRow, AnErrorIsUndoneNoFasterThanTheLimit)
 {
-    RandomRow c(1, JointType::Revolute);
+    RandomJointRow c(1, RowType::Revolute);
     c.row.rigid_count = 2;
     for (const float error : {0.0f, 0.01f, 1.0f, -1.0f, 1e6f})
     {
         c.row.error[0] = error;
-        EXPECT_EQ(bias_of(c.row, 0, constants), std::min(std::max(50 * error, -max_bias), max_bias));
+        EXPECT_EQ(bias_of(c.row, 0, joint_constants), std::min(std::max(50 * error, -max_bias), max_bias));
     }
 }
 
@@ -199,8 +182,8 @@ TEST(JointRow, AnEndOfARangeStopsWhereItIsAndPushesOneWay)
         c.control().lower = c.control().q - 0.01f;
         const Jacobian<float> j = c.control().j;
         apply(c.row, j, -(c.rate() + 10) * c.control().mass, c.a, c.b); // now at -10 m/s
-        solve_range<true>(c.row, c.control(), constants, c.a, c.b);
-        EXPECT_NEAR(c.rate(), -0.01f * constants.inv_h, 1e-3) << seed;
+        solve_range<true>(c.row, c.control(), joint_constants, c.a, c.b);
+        EXPECT_NEAR(c.rate(), -0.01f * joint_constants.inv_h, 1e-3) << seed;
         EXPECT_GT(c.control().lambda_lower, 0);
         EXPECT_EQ(c.control().lambda_upper, 0);
 
@@ -208,15 +191,15 @@ TEST(JointRow, AnEndOfARangeStopsWhereItIsAndPushesOneWay)
         Slider away(seed);
         away.control().lower = away.control().q;
         apply(away.row, j, (2 - away.rate()) * away.control().mass, away.a, away.b);
-        solve_range<true>(away.row, away.control(), constants, away.a, away.b);
+        solve_range<true>(away.row, away.control(), joint_constants, away.a, away.b);
         EXPECT_NEAR(away.rate(), 2, 1e-3);
         EXPECT_EQ(away.control().lambda_lower, 0);
 
         // Past the upper end it is brought back, at a share of the error a substep.
         Slider past(seed);
         past.control().upper = past.control().q - 0.02f;
-        solve_range<true>(past.row, past.control(), constants, past.a, past.b);
-        EXPECT_LT(past.rate(), -0.02f * constants.bias_rate + 1e-3f);
+        solve_range<true>(past.row, past.control(), joint_constants, past.a, past.b);
+        EXPECT_LT(past.rate(), -0.02f * joint_constants.bias_rate + 1e-3f);
         EXPECT_GE(past.control().lambda_upper, 0);
     }
 }
@@ -224,7 +207,7 @@ TEST(JointRow, AnEndOfARangeStopsWhereItIsAndPushesOneWay)
 TEST(JointRow, ASpringWithALimitPullsNoHarder)
 {
     Slider c(4);
-    c.control().spring = make_spring(20, 1, constants.h);
+    c.control().spring = make_spring(20, 1, joint_constants.h);
     c.control().target = c.control().q + 100;
     c.control().max_spring = 0.125f;
     for (int i = 0; i < 3; ++i) solve_spring(c.row, c.control(), c.a, c.b);
@@ -235,9 +218,9 @@ TEST(JointRow, ADriveWithALimitPullsNoHarder)
 {
     for (unsigned seed = 0; seed < 50; ++seed)
     {
-        RandomRow c(seed, JointType::Motor);
+        RandomJointRow c(seed, RowType::Motor);
         c.row.has_drive = true;
-        c.row.drive = {{3, -4}, make_spring(20, 1, constants.h), 0.5f, {}};
+        c.row.drive = {{3, -4}, make_spring(20, 1, joint_constants.h), 0.5f, {}};
         for (int i = 0; i < 3; ++i) solve_drive(c.row, c.a, c.b);
         EXPECT_NEAR(std::sqrt(dot(c.row.drive.lambda, c.row.drive.lambda)), 0.5f, 1e-5) << seed;
     }
@@ -248,9 +231,9 @@ TEST(JointRow, WhatIsNotThereDoesNothing)
     for (unsigned seed = 0; seed < 20; ++seed)
     {
         Slider c(seed);
-        const Lanes a = c.a;
-        const Lanes b = c.b;
-        solve<true>(c.row, constants, c.a, c.b);
+        const PlainBody a = c.a;
+        const PlainBody b = c.b;
+        solve<true>(c.row, joint_constants, c.a, c.b);
         EXPECT_EQ(c.a.v.x, a.v.x);
         EXPECT_EQ(c.b.v.y, b.v.y);
         EXPECT_EQ(c.b.w, b.w);
@@ -260,7 +243,7 @@ TEST(JointRow, WhatIsNotThereDoesNothing)
 TEST(JointRow, SumsUpTheForceAndTheTorqueAtTheJointsPoint)
 {
     // A pin's impulse has no moment about the pin; a motor's has.
-    RandomRow c(7, JointType::Revolute);
+    RandomJointRow c(7, RowType::Revolute);
     c.row.rigid_count = 2;
     c.row.control_count = 1;
     linearise(c.row, c.a, c.b);

@@ -7,8 +7,8 @@
 //   q = u . d,   q' = u . (v_b - v_a) + (r_b x u) w_b - ((d + r_a) x u) w_a
 #pragma once
 
-#include "math/lane_trig.hpp"
-#include "solver/joints/joint_row.hpp"
+#include "solver/kernels/joint_row.hpp"
+#include "solver/kernels/lane_trig.hpp"
 
 namespace carom::detail
 {
@@ -51,6 +51,45 @@ template <class F>
 Jacobian<F> turning()
 {
     return {{F(0), F(0)}, {F(0), F(0)}, F(1), F(1)};
+}
+
+/// The angle that equals `angle` but for full turns and is nearest to `near` [rad].
+template <class F>
+F unwrapped_near(const F& angle, const F& near)
+{
+    constexpr float full_turn = 6.28318531f;
+    constexpr float to_integer = 12582912; // 1.5 2^23: what is added to it is rounded
+    const F turns = ((near - angle) * F(1 / full_turn) + F(to_integer)) - F(to_integer);
+    return angle + turns * F(full_turn);
+}
+
+/// From an angle on the same turn to the angle where the bodies are at the start of the step.
+template <class F>
+void find_turn(JointRow<F>& row)
+{
+    row.turn = unwrapped_near(lane_atan2(row.facing.s, row.facing.c), row.turn);
+}
+
+/// Whether a joint's angle over full turns is kept from step to step.
+template <class F>
+bool counts_turns(const JointRow<F>& row)
+{
+    return row.type == RowType::Revolute || row.type == RowType::Wheel;
+}
+
+/// Whether a row's errors or coordinates are angles.
+template <class F>
+bool measures_angle(const JointRow<F>& row)
+{
+    switch (row.type)
+    {
+    case RowType::Revolute: return row.control_count > 0; // nobody asks for the angle of a mere pin
+    case RowType::Prismatic:
+    case RowType::Weld:
+    case RowType::Wheel:
+    case RowType::Motor: return true;
+    default: return false;
+    }
 }
 
 /// Angle of frame B in frame A.
@@ -186,7 +225,7 @@ void linearise_distance(JointRow<F>& row, const JointPlace<F>& p)
     const Jacobian<F> j = along_fixed(direction_of(p.d, length, row.axis), p);
     row.rigid[0] = j;
     row.error[0] = length - row.length;
-    set_control(row, row.controls[0], j, length);
+    if (row.control_count > 0) set_control(row, row.controls[0], j, length);
 }
 
 /// Weld: C = (d, angle), each part rigid or soft.
@@ -202,7 +241,7 @@ void linearise_weld(JointRow<F>& row, const JointPlace<F>& p, const BodyLanes<F>
         row.error[1] = p.d.y;
         next = 2;
     }
-    row.drive.error = p.d;
+    if (row.has_drive) row.drive.error = p.d;
     const F angle = turn_of(row, a, b);
     if (row.control_count > 0) return set_control(row, row.controls[0], turning<F>(), angle);
     row.rigid[next] = turning<F>();
@@ -249,25 +288,49 @@ void linearise_by_type(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<
     row.r_b = p.r_b;
     switch (row.type)
     {
-    case JointType::Revolute: return linearise_revolute(row, p, a, b);
-    case JointType::Prismatic: return linearise_prismatic(row, p, a, b);
-    case JointType::Distance: return linearise_distance(row, p);
-    case JointType::Weld: return linearise_weld(row, p, a, b);
-    case JointType::Wheel: return linearise_wheel(row, p, a, b);
-    case JointType::Motor: return linearise_motor(row, p, a, b);
-    case JointType::Mouse: row.drive.error = p.d; return;
-    case JointType::Gear: return linearise_gear(row, a, b);
-    case JointType::Pulley: return linearise_pulley(row, p, a, b);
+    case RowType::Revolute: return linearise_revolute(row, p, a, b);
+    case RowType::Prismatic: return linearise_prismatic(row, p, a, b);
+    case RowType::Distance: return linearise_distance(row, p);
+    case RowType::Weld: return linearise_weld(row, p, a, b);
+    case RowType::Wheel: return linearise_wheel(row, p, a, b);
+    case RowType::Motor: return linearise_motor(row, p, a, b);
+    case RowType::Mouse: row.drive.error = p.d; return;
+    case RowType::Gear: return linearise_gear(row, a, b);
+    case RowType::Pulley: return linearise_pulley(row, p, a, b);
     }
 }
 
 /// Jacobians, errors and coordinates where the bodies are now, and what motors and ends meet there.
 template <class F>
-void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+[[gnu::noinline, gnu::flatten]] void linearise(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
 {
     linearise_by_type(row, a, b);
     if (!row.has_ends) return;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row.control_count); ++i) find_held_mass(row, row.controls[i]);
+    for (std::size_t i = 0; i < row.control_count; ++i) find_held_mass(row, row.controls[i]);
+}
+
+/// The same for a joint of a net. What an impulse of a motor or an end moves there is for the net to find out: with the answers of the joint's own rows
+/// alone, ends that pull at the same bodies would drive each other up.
+template <class F>
+[[gnu::noinline, gnu::flatten]] void linearise_single(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    linearise_by_type(row, a, b);
+    if (!row.has_ends) return;
+    for (std::size_t i = 0; i < row.control_count; ++i)
+    {
+        row.controls[i].held_mass = row.controls[i].mass;
+        for (F& reaction : row.controls[i].reaction) reaction = F(0);
+    }
+}
+
+/// The angle at the end of the step.
+template <class F>
+void conclude(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    if (!counts_turns(row)) return;
+    const LaneRot<F> change = {a.dq.c * b.dq.c + a.dq.s * b.dq.s, a.dq.c * b.dq.s - a.dq.s * b.dq.c};
+    row.facing = {row.facing.c * change.c - row.facing.s * change.s, row.facing.s * change.c + row.facing.c * change.s};
+    find_turn(row);
 }
 
 /// Curvatures at the velocities that the bodies have now, of every type.
@@ -278,21 +341,24 @@ void find_curvatures(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>
     const JointRates<F> r = rates_of(p, a, b, k);
     switch (row.type)
     {
-    case JointType::Revolute:
-    case JointType::Weld:
+    case RowType::Revolute:
+    case RowType::Weld:
         row.curvature = {r.bend_d.x, r.bend_d.y, F(0)};
-        if (row.type == JointType::Weld && row.has_drive) row.curvature = {F(0), F(0), F(0)};
+        if (row.type == RowType::Weld && row.has_drive) row.curvature = {F(0), F(0), F(0)};
         return;
-    case JointType::Prismatic:
-    case JointType::Wheel:
+    case RowType::Prismatic:
+    case RowType::Wheel:
     {
         const LaneVec<F> t = rotate(a.dq, row.axis);
         row.curvature = {bend_along_turning(left_perp(t), p, r, a.w, k), F(0), F(0)};
         row.controls[0].curvature = bend_along_turning(t, p, r, a.w, k);
         return;
     }
-    case JointType::Distance: row.curvature[0] = row.controls[0].curvature = bend_of_length(p.d, r, k); return;
-    case JointType::Pulley:
+    case RowType::Distance:
+        row.curvature[0] = bend_of_length(p.d, r, k);
+        if (row.control_count > 0) row.controls[0].curvature = row.curvature[0];
+        return;
+    case RowType::Pulley:
     {
         const JointRates<F> rates_a = {LaneVec<F>{} - (a.v + cross(a.w, p.r_a)), LaneVec<F>{} - bend(p.r_a, a.w, k)};
         const JointRates<F> rates_b = {LaneVec<F>{} - (b.v + cross(b.w, p.r_b)), LaneVec<F>{} - bend(p.r_b, b.w, k)};
@@ -301,19 +367,19 @@ void find_curvatures(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>
         row.controls[0].curvature = bend_of_length(rope_a, rates_a, k) + row.ratio * bend_of_length(rope_b, rates_b, k);
         return;
     }
-    case JointType::Motor:
-    case JointType::Mouse:
-    case JointType::Gear: return;
+    case RowType::Motor:
+    case RowType::Mouse:
+    case RowType::Gear: return;
     }
 }
 
 /// Curvatures of the joints whose arcs count.
 template <class F>
-void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
+[[gnu::noinline, gnu::flatten]] void bend(JointRow<F>& row, const BodyLanes<F>& a, const BodyLanes<F>& b, const JointConstants<F>& k)
 {
     find_curvatures(row, a, b, k);
     for (F& curvature : row.curvature) curvature = curvature * row.arc;
-    for (ControlRow<F>& control : row.controls) control.curvature = control.curvature * row.arc;
+    for (std::size_t i = 0; i < row.control_count; ++i) row.controls[i].curvature = row.controls[i].curvature * row.arc;
 }
 
 } // namespace carom::detail
