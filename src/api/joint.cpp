@@ -231,7 +231,7 @@ void Joint::set_spec(const JointSpec& spec)
     if (spec.index() != joint.spec.index())
         detail::usage_error("set_spec", "spec", static_cast<int>(spec.index()), "give one of the joint's own type, or make another joint");
     const bool is_same_shape = detail::shape_of(spec).key() == detail::shape_of(joint.spec).key();
-    joint.spec = spec;
+    world_->joints.set_spec(slot, spec);
     detail::wake_ends(*world_, joint);
     if (!is_same_shape) detail::forget_impulses(joint);
 }

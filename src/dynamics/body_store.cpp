@@ -125,6 +125,7 @@ void BodyStore::activate(std::uint32_t slot)
 
 void BodyStore::deactivate(std::uint32_t slot)
 {
+    ++revision;
     const std::uint32_t index = motion_index[slot];
     records[slot].saved_v = motions[index].v;
     records[slot].saved_w = motions[index].w;
@@ -144,6 +145,7 @@ void BodyStore::deactivate(std::uint32_t slot)
 
 void BodyStore::refresh(std::uint32_t slot)
 {
+    ++revision;
     BodyRecord& record = records[slot];
     const bool should_be_active = record.is_enabled && record.type != BodyType::Static && !record.is_asleep;
     if (should_be_active && !is_active(slot)) activate(slot);

@@ -168,6 +168,7 @@ public:
     std::pmr::vector<BodyPose> poses;             ///< by slot
     std::pmr::vector<std::uint32_t> motion_index; ///< by slot; 0 when not active
 
+    std::uint64_t revision = 0;           ///< another after each change to which bodies are active and to their masses
     std::pmr::vector<BodyMotion> motions; ///< by motion index, as are the next three
     std::pmr::vector<BodyMass> masses;
     std::pmr::vector<BodyDrive> drives;

@@ -42,6 +42,13 @@ void JointStore::activate(std::uint32_t slot)
 {
     joints[slot].place_in_active = static_cast<std::uint32_t>(active.size());
     active.push_back(slot);
+    ++revision;
+}
+
+void JointStore::set_spec(std::uint32_t slot, const JointSpec& spec)
+{
+    joints[slot].spec = spec;
+    ++revision;
 }
 
 void JointStore::deactivate(std::uint32_t slot)
@@ -52,6 +59,7 @@ void JointStore::deactivate(std::uint32_t slot)
     joints[last].place_in_active = place;
     active.pop_back();
     joints[slot].place_in_active = null_index;
+    ++revision;
 }
 
 void forget_impulses(Joint& joint)

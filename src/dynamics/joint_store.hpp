@@ -30,30 +30,31 @@ struct ControlImpulses
     float upper = 0;
 };
 
-struct Joint
+/// What the solver reads of every joint in each step, and what it leaves behind, comes first.
+struct alignas(64) Joint
 {
     std::uint32_t body_a = 0xffffffff; ///< null_index: the world
     std::uint32_t body_b = 0xffffffff;
-    std::array<std::uint32_t, 2> previous = {null_index, null_index}; ///< neighbours in the lists of body A and of body B: edges
-    std::array<std::uint32_t, 2> next = {null_index, null_index};
     Transform frame_a; ///< seen from the body's origin
     Transform frame_b;
-    JointSpec spec;
-    float break_force = 0;  ///< [N]
-    float break_torque = 0; ///< [N m]
-    std::uint64_t user_data = 0;
-    bool collide_connected = false;
+    Vec2 force;                                ///< mean of the last step [N]
+    std::array<float, max_rigid_rows> rigid = {}; ///< impulses of the last substep
+    float torque = 0;                          ///< mean of the last step [N m]
+
+    float angle = 0;     ///< of frame B in frame A over full turns at the end of the last step [rad]
+    float gear_slip = 0; ///< q_a + ratio q_b since the joint was made
+    Vec2 drive;          ///< of the last substep [N s]
+    std::array<ControlImpulses, max_controls> controls = {};
     std::uint32_t place_in_active = null_index; ///< of those that the solver works on
     bool is_active() const { return place_in_active != null_index; }
 
-    // What the solver leaves behind.
-    std::array<float, max_rigid_rows> rigid = {};
-    std::array<ControlImpulses, max_controls> controls = {};
-    Vec2 drive;          ///< of the last substep [N s]
-    float angle = 0;     ///< of frame B in frame A over full turns at the end of the last step [rad]
-    float gear_slip = 0; ///< q_a + ratio q_b since the joint was made
-    Vec2 force;          ///< mean of the last step [N]
-    float torque = 0;    ///< [N m]
+    JointSpec spec;
+    float break_force = 0;  ///< [N]
+    float break_torque = 0; ///< [N m]
+    bool collide_connected = false;
+    std::uint64_t user_data = 0;
+    std::array<std::uint32_t, 2> previous = {null_index, null_index}; ///< neighbours in the lists of body A and of body B: edges
+    std::array<std::uint32_t, 2> next = {null_index, null_index};
 };
 
 /// All joints of a world. The joints of a body form a list of edges (dynamics/edge_list.hpp).
@@ -73,9 +74,13 @@ public:
     void activate(std::uint32_t slot);
     void deactivate(std::uint32_t slot);
 
+    /// What the joint holds and drives is another from now on.
+    void set_spec(std::uint32_t slot, const JointSpec& spec);
+
     SlotPool slots;
     std::pmr::vector<Joint> joints;
     std::pmr::vector<std::uint32_t> active; ///< slots, in an order that only the history of the world decides
+    std::uint64_t revision = 0;             ///< another after each change to what is active and to what it holds
 };
 
 /// Starts a joint cold.

@@ -23,6 +23,16 @@ inline bool is_on_the_way(const SpringRow<float>& spring, float missing, float s
     return spring.damping > 0 && missing > near && is_at_work(speed, missing * spring.push / spring.damping);
 }
 
+/// Whether lane `i` of a row has anything that could.
+template <class F>
+bool may_drive(const JointRow<F>& row, int i)
+{
+    if (row.type == RowType::Motor || row.type == RowType::Mouse) return true;
+    for (std::size_t c = 0; row.has_ends && c < row.control_count; ++c)
+        if (lane(row.controls[c].max_motor, i) > 0 && lane(row.controls[c].motor_speed, i) != 0) return true;
+    return false;
+}
+
 /// Whether a motor, or the drive of a motor joint or a mouse joint, moves the bodies.
 inline bool is_driven(const JointRow<float>& row, const BodyLanes<float>& a, const BodyLanes<float>& b, float length_unit)
 {

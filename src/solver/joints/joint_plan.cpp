@@ -84,6 +84,10 @@ JointPlan::Member JointPlan::member_of(std::uint32_t slot, const BodyStore& bodi
 
 bool JointPlan::update(const BodyStore& body_store, const JointStore& joints, int lanes)
 {
+    const bool is_untouched = joints.revision == joint_revision_ && body_store.revision == body_revision_;
+    if (is_untouched && lanes == lanes_) return false;
+    joint_revision_ = joints.revision;
+    body_revision_ = body_store.revision;
     now_.clear();
     for (const std::uint32_t slot : joints.active) now_.push_back(member_of(slot, body_store, joints));
     if (now_ == signature_ && lanes == lanes_) return false;

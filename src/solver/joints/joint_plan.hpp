@@ -106,6 +106,8 @@ private:
     std::pmr::memory_resource* memory_;
     Eliminator eliminator_;
     int lanes_ = 0;
+    std::uint64_t joint_revision_ = 0; ///< of the stores when the signature was taken
+    std::uint64_t body_revision_ = 0;
     std::pmr::vector<Member> signature_; ///< in the order of the store's list
     std::pmr::vector<Member> members_;   ///< by slot
     std::pmr::vector<Kind> kinds_;

@@ -292,7 +292,6 @@ void store_row(const JointRow<F>& row, int i, Joint& joint, float inv_dt)
         joint.controls[c] = {lane(control.lambda_spring, i), lane(control.lambda_motor, i), lane(control.lambda_lower, i),
                              lane(control.lambda_upper, i)};
     }
-    if (row.control_count == 0) joint.controls = {};
     if (row.has_drive) joint.drive = {lane(row.drive.lambda.x, i), lane(row.drive.lambda.y, i)};
     joint.force = inv_dt * Vec2{lane(row.total_impulse.x, i), lane(row.total_impulse.y, i)};
     joint.torque = inv_dt * lane(row.total_twist, i);

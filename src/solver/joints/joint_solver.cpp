@@ -255,7 +255,7 @@ void JointSolver::mark_driven(std::span<const BodyMotion> motions, std::span<Bod
 {
     for_each_joint([&](const auto& from, int i, std::uint32_t)
     {
-        if (!from.has_ends && !from.has_drive && from.control_count == 0) return;
+        if (!may_drive(from, i)) return;
         const JointRow<float> one = lane_of(from, static_cast<std::size_t>(i));
         if (!is_driven(one, gather(motions, one.body_a), gather(motions, one.body_b), constants_.length_unit)) return;
         for (const std::uint32_t body : {one.pushed_a[0], one.pushed_b[0]})
