@@ -58,8 +58,9 @@ struct BodyWatch
     bool can_sleep = true;
     bool has_woken = false; ///< since the last step
     bool is_bullet = false;
-    bool is_driven = false; ///< a belt, a motor or a drive moved it in this step: set by the solvers, read by finalize_bodies
-    bool has_goal = false;  ///< see BodyRecord::goal
+    bool is_driven = false;   ///< a belt, a motor or a drive moved it in this step: set by the solvers, read by finalize_bodies
+    bool is_settling = false; ///< a contact of it is still coming up: its rest begins anew. Set by the solver, read by finalize_bodies
+    bool has_goal = false;    ///< see BodyRecord::goal
     /// Displacement that continuous collision took back in the last step: the velocity is that of the place ahead by as much [m].
     Vec2 set_back;
 };

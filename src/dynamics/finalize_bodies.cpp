@@ -150,6 +150,8 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         }
         limit_speed(motion);
         pose = next;
+        if (watch.is_settling) watch.rest_time = 0;
+        watch.is_settling = false;
         const bool rests = is_at_rest(watch, motion, sweep, dt, sleep_speed) && watch.can_sleep && !watch.is_driven;
         watch.rest_time = rests ? watch.rest_time + dt : 0;
         watch.is_driven = false;

@@ -100,12 +100,14 @@ std::uint32_t island_to_split(const WorldState& world)
 
 } // namespace
 
+bool lets_sleep(const WorldState& world) { return world.sleep.is_enabled && !has_n_body_field(world.fields); }
+
 void put_islands_to_sleep(WorldState& world)
 {
     note_woken(world);
     dismiss_reviewed(world);
     visit_kinematic_bodies(world);
-    if (!world.sleep.is_enabled || has_n_body_field(world.fields)) return;
+    if (!lets_sleep(world)) return;
 
     if (const std::uint32_t island = island_to_split(world); island != null_index)
         world.islands.split(island, world.bodies, world.contacts, world.joints);

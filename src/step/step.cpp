@@ -74,7 +74,7 @@ ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int su
     world.joint_solver.build(passes_of(world.simd), world.bodies, world.joints,
                              make_joint_constants(world.tuning, h, world.last_substep, world.shapes.tolerances));
     solver.build(contacts, world.bodies, world.contacts,
-                 make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances));
+                 make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances, lets_sleep(world)));
     return contacts;
 }
 

@@ -177,6 +177,7 @@ private:
     std::pmr::vector<std::array<float, 4>> falls_; ///< see BounceRound
     PassConstants<float> constants_ = {};
     float carry_share_ = 0;
+    float calm_share_ = 0;
     float settled_within_ = 0; ///< Tolerances::settled_within [m]
     bool any_bounces_ = false;
     bool any_belts_ = false; ///< whether a surface has a tangent speed
@@ -232,6 +233,7 @@ void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodi
     make_room_for_rows(colors, contacts);
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
+    calm_share_ = constants.calm_share;
     settled_within_ = constants.settled_within;
     constants_ = {constants.inv_h, constants.push_out_speed, constants.restitution_threshold, 1.25f * constants.dt, constants.h};
 
@@ -315,13 +317,15 @@ void WideContactSolver<F>::store_impulses(ContactStore& contacts, std::span<Body
         }
         const float carried = lane(row.carried, i);
         const float missing = carried_part * load - carried;
-        manifold.carried_impulse = carried + carry_share_ * missing;
+        const auto is_calm = [&](std::uint32_t body) { return body == 0 || watches[body].rest_time > 0; };
+        const bool are_calm = is_calm(row.pushed_a[static_cast<std::size_t>(i)]) && is_calm(row.pushed_b[static_cast<std::size_t>(i)]);
+        manifold.carried_impulse = carried + (are_calm ? calm_share_ : carry_share_) * missing;
 
         // How far the spring of the contact is from where the whole correction would hold it.
         const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
         if (lane(row.impulse_scale, i) * missing <= settled_within_ * stiffness) return;
         for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
-            if (body != 0) watches[body].rest_time = 0;
+            if (body != 0) watches[body].is_settling = true;
     });
 }
 
