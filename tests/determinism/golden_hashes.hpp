@@ -16,7 +16,7 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xfdeaa410168bc953},       SceneHash{"triggers", 0xdce2d667fe27e555},
+    SceneHash{"planets", 0x8bfc616b0baa927a},       SceneHash{"triggers", 0xdce2d667fe27e555},
     SceneHash{"collisions", 0xd9eb16e004c2bccf},    SceneHash{"gravity", 0xbec2060f26f6f5a2},
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0xc8b3667b5c82dca1},
     SceneHash{"chain-terrain", 0x33b80fed8eccfe73}, SceneHash{"tiles", 0x85d3ac19385e9673},
