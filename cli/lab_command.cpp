@@ -105,7 +105,11 @@ void lab_step_command(const LabStepRequest& request, const Surroundings& surroun
     const lab::SceneFile file = lab::read_scene_file(request.scene);
     Outputs outputs(surroundings);
     files::OutputFile& out = outputs.open("--out", request.out);
-    lab::OwnRunOptions options{.threads = request.threads, .samples = request.samples, .broad_phase = *type, .slowdown = request.slowdown};
+    lab::OwnRunOptions options{.threads = request.threads,
+                               .samples = request.samples,
+                               .broad_phase = *type,
+                               .simd = simd_of(request.simd),
+                               .slowdown = request.slowdown};
     std::optional<Canvas> canvas;
     if (request.draws)
     {

@@ -12,9 +12,9 @@ namespace carom::cli
 struct LabRunRequest
 {
     std::string suite = "quick";
-    std::string scenes;                                        ///< names with commas between; empty for all of the suite
-    std::string engines = "carom,box2d3,rapier,box2d2,origin"; ///< names with commas between
-    std::string threads = "1";                                 ///< numbers with commas between
+    std::string scenes;        ///< names with commas between; empty for all of the suite
+    std::string engines;       ///< names with commas between; empty for those of lab::default_engines
+    std::string threads = "1"; ///< numbers with commas between
     int runs = 5;
     std::string out;      ///< a folder
     std::string peers;    ///< the folder of the peers' programs; empty for the one beside this build
@@ -31,12 +31,13 @@ struct LabReportRequest
 
 struct LabCompareRequest
 {
-    std::string a; ///< a folder of results, or a `carom` program
+    std::string a; ///< a folder of results, or a `carom` program; empty when instruction sets are compared
     std::string b;
-    std::string suite = "quick"; ///< of programs
-    std::string scenes;          ///< of programs: names with commas between; empty for all of the suite
-    int runs = 10;               ///< of programs
-    std::string out;             ///< of programs: where the results go
+    std::string simd;            ///< instruction sets to compare, names with commas between; the first one is the base
+    std::string suite = "quick"; ///< of what is measured
+    std::string scenes;          ///< of what is measured: names with commas between; empty for all of the suite
+    int runs = 10;               ///< of what is measured
+    std::string out;             ///< of what is measured: where the results go
 };
 
 struct LabHistoryRequest
@@ -63,9 +64,10 @@ struct LabStepRequest
     int threads = 1;
     int samples = 10;
     std::string broad_phase = "Tree";
-    bool draws = false;  ///< the picture after each step
-    double slowdown = 0; ///< share of a step's time
-    std::string out;     ///< a file
+    std::string simd = "best"; ///< an instruction set
+    bool draws = false;        ///< the picture after each step
+    double slowdown = 0;       ///< share of a step's time
+    std::string out;           ///< a file
 };
 
 // All throw BadUsage and Failure.

@@ -115,6 +115,10 @@ TEST_F(LabCommandTest, says_what_can_not_be_had)
     refused({"lab", "report", path("a"), "--markdown", path("a")}, "ends in .md");
     refused({"lab", "report", path("nothing")}, "carom lab run");
     refused({"lab", "compare", path("nothing"), path("nothing")}, "neither a folder");
+    refused({"lab", "compare", path("a"), "--simd", "scalar,best", "--out", path("x")}, "leave A and B out");
+    refused({"lab", "compare", "--simd", "scalar", "--out", path("x")}, "give two instruction sets");
+    refused({"lab", "compare", "--simd", "scalar,mmx", "--out", path("x")}, "\"mmx\" is not on this machine");
+    refused({"lab", "compare", "--simd", "scalar,best"}, "--out is missing");
     refused({"lab", "step", path("nothing.json"), "--out", path("y")}, "nothing.json");
     refused({"lab", "step", path("nothing.json"), "--broadphase", "Grid", "--out", path("y")}, "Quadtree");
 }

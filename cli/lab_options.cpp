@@ -25,8 +25,8 @@ std::string suite_notes()
     for (const lab::Suite& suite : lab::suites())
         notes += "  " + suite.name + std::string(10 - std::min<std::size_t>(suite.name.size(), 9), ' ') + suite.what + "\n";
     return notes +
-           "\nEngines: carom; its peers box2d3, rapier and box2d2, which `./dev peers` builds; and origin, which is carom with the "
-           "quadtree of\n"
+           "\nEngines: carom; its peers box2d3, rapier and box2d2, which `./dev peers` builds; box2d3-source, which\n"
+           "`./dev peers box2d3 --source DIR` builds from a checkout of Box2D; and origin, which is carom with the quadtree of\n"
            "the engine that it began as. Every engine steps the same scene files, in turns; ratios are between medians of runs, with\n"
            "bootstrap intervals.";
 }
@@ -47,7 +47,8 @@ void add_run(CLI::App& lab, const Surroundings& surroundings)
     const auto request = std::make_shared<LabRunRequest>();
     command->add_option("suite", request->suite, "The scenes")->capture_default_str();
     add_scenes(*command, request->scenes);
-    command->add_option("--engines", request->engines, "Who takes part")->type_name("A,B,...")->capture_default_str();
+    command->add_option("--engines", request->engines, "Who takes part; by default all but box2d3-source, which does where it is built")
+        ->type_name("A,B,...");
     command->add_option("--threads", request->threads, "Numbers of threads to offer, one after the other")
         ->type_name("N,M,...")
         ->capture_default_str();
@@ -74,15 +75,17 @@ void add_report(CLI::App& lab, const Surroundings& surroundings)
 
 void add_compare(CLI::App& lab, const Surroundings& surroundings)
 {
-    CLI::App* const command =
-        lab.add_subcommand("compare", "Tell whether B is faster or slower than A: two folders of results, or two builds of carom");
+    CLI::App* const command = lab.add_subcommand(
+        "compare", "Tell whether B is faster or slower than A: two folders of results, two builds of carom, or instruction sets");
     const auto request = std::make_shared<LabCompareRequest>();
-    command->add_option("a", request->a, "A folder of results, or a `carom` program")->type_name("A")->required();
-    command->add_option("b", request->b, "The same kind")->type_name("B")->required();
-    command->add_option("--suite", request->suite, "The scenes on which programs are measured")->capture_default_str();
+    command->add_option("a", request->a, "A folder of results, or a `carom` program")->type_name("A");
+    command->add_option("b", request->b, "The same kind")->type_name("B");
+    command->add_option("--simd", request->simd, "Compare instruction sets instead, as sse2,avx2; the first one is the base")
+        ->type_name("X,Y,...");
+    command->add_option("--suite", request->suite, "The scenes on which is measured")->capture_default_str();
     add_scenes(*command, request->scenes);
-    add_runs(*command, request->runs, "How often each program runs each scene");
-    command->add_option("--out", request->out, "Folder for the results of programs")->type_name("DIR");
+    add_runs(*command, request->runs, "How often each side runs each scene");
+    command->add_option("--out", request->out, "Folder for the results of what is measured")->type_name("DIR");
     command->callback([request, &surroundings] { lab_compare_command(*request, surroundings); });
 }
 
@@ -140,6 +143,7 @@ void add_step(CLI::App& lab, const Surroundings& surroundings)
     command->add_option("--broadphase", request->broad_phase, scenes::joined(scenes::broad_phase_names()))
         ->type_name("NAME")
         ->capture_default_str();
+    command->add_option("--simd", request->simd, "Instruction set of the solver")->type_name("NAME")->capture_default_str();
     command->add_flag("--draw", request->draws, "Draw the picture after each step, and tell what that takes");
     command->add_option("--slowdown", request->slowdown, "Makes every step take longer by this share of its time, to try what is found")
         ->type_name("SHARE")

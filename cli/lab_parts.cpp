@@ -8,6 +8,7 @@
 #include "lab/fingerprint.hpp"
 #include "scene_file/writer.hpp"
 
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -71,6 +72,16 @@ std::function<void(const lab::Progress&)> teller(const Surroundings& surrounding
 void wipe_line(const Surroundings& surroundings)
 {
     if (surroundings.err_is_terminal) surroundings.err << "\r\033[K" << std::flush;
+}
+
+Simd simd_of(const std::string& name)
+{
+    const std::optional<Simd> simd = simd_named(name);
+    if (simd && is_available(*simd)) return *simd;
+    std::string names;
+    for (const Simd one : all_simd)
+        if (is_available(one)) names += (names.empty() ? "" : ", ") + std::string(name_of(one));
+    throw BadUsage("--simd: " + files::quoted(name) + " is not on this machine; it has " + names);
 }
 
 lab::Suite suite_of(const std::string& name, const std::string& scenes)

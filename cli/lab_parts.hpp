@@ -7,6 +7,8 @@
 #include "lab/report.hpp"
 #include "lab/suites.hpp"
 
+#include <carom/simd.hpp>
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,6 +23,10 @@ std::vector<std::string> parts_of(const std::string& list);
 /// The path of this program.
 /// @throws Failure
 std::filesystem::path own_program();
+
+/// The instruction set of that name.
+/// @throws BadUsage when this machine does not have it, naming those that it has
+Simd simd_of(const std::string& name);
 
 /// @param scenes names with commas between; empty for all of the suite
 /// @throws BadUsage

@@ -40,7 +40,7 @@ std::vector<lab::Engine> engines_of(const std::string& list, const path& peers)
 {
     try
     {
-        return lab::find_engines(parts_of(list), own_program(), peers);
+        return lab::find_engines(list.empty() ? lab::default_engines(peers) : parts_of(list), own_program(), peers);
     }
     catch (const std::invalid_argument& error)
     {
@@ -117,6 +117,31 @@ void report(const lab::Results& results, const std::string& base, const path& ou
     if (const std::string lack = lab::lack_of(results); !lack.empty()) throw Failure(lack);
 }
 
+/// What is compared when nothing was measured yet: two programs, or this one with several instruction sets.
+std::vector<lab::Engine> sides_of(const LabCompareRequest& request)
+{
+    if (request.simd.empty())
+        return {{.name = "A", .command = {request.a, "lab", "step"}, .missing = ""},
+                {.name = "B", .command = {request.b, "lab", "step"}, .missing = ""}};
+    std::vector<lab::Engine> sides;
+    for (const std::string& name : parts_of(request.simd))
+    {
+        simd_of(name);
+        sides.push_back({.name = name, .command = {own_program().string(), "lab", "step", "--simd", name}, .missing = ""});
+    }
+    if (sides.size() < 2) throw BadUsage("--simd: give two instruction sets or more, as sse2,avx2");
+    return sides;
+}
+
+/// @throws BadUsage when they are not
+void require_programs(const LabCompareRequest& request)
+{
+    std::error_code ignored;
+    for (const std::string& program : {request.a, request.b})
+        if (!std::filesystem::is_regular_file(program, ignored))
+            throw BadUsage(files::quoted(program) + " is neither a folder of results nor a program; give two of one kind, or --simd");
+}
+
 } // namespace
 
 void lab_run_command(const LabRunRequest& request, const Surroundings& surroundings)
@@ -142,29 +167,29 @@ void lab_run_command(const LabRunRequest& request, const Surroundings& surroundi
 void lab_compare_command(const LabCompareRequest& request, const Surroundings& surroundings)
 {
     std::error_code ignored;
+    if (!request.simd.empty() && !request.a.empty()) throw BadUsage("--simd compares this program with itself; leave A and B out");
     const bool are_folders = std::filesystem::is_directory(request.a, ignored) && std::filesystem::is_directory(request.b, ignored);
     if (are_folders)
     {
         surroundings.out << files::printable(lab::compare_text(results_in(request.a), results_in(request.b)));
         return;
     }
-    for (const std::string& program : {request.a, request.b})
-        if (!std::filesystem::is_regular_file(program, ignored))
-            throw BadUsage(files::quoted(program) + " is neither a folder of results nor a program; give two of one kind");
-    if (request.out.empty()) throw BadUsage("--out is missing: programs are measured, and their results go into a folder");
+    if (request.simd.empty()) require_programs(request);
+    const std::vector<lab::Engine> sides = sides_of(request);
+    if (request.out.empty()) throw BadUsage("--out is missing: something is measured, and the results go into a folder");
     const lab::Suite suite = suite_of(request.suite, request.scenes);
     const path out = request.out;
     const files::FolderLock lock("--out", out);
     const files::ScratchFolder scratch(out);
     lab::Plan plan{.suite = suite.name,
                    .cases = plan_cases(suite, {1}, out / "scenes"),
-                   .engines = {{.name = "A", .command = {request.a, "lab", "step"}, .missing = ""},
-                               {.name = "B", .command = {request.b, "lab", "step"}, .missing = ""}},
+                   .engines = sides,
                    .runs = request.runs,
                    .scratch = scratch.path(),
                    .is_interrupted = surroundings.is_interrupted};
     const lab::Results results = measure(plan, suite, out, surroundings);
-    report(results, "A", out, scratch.path(), "A: " + request.a + "\nB: " + request.b + "\n", "", surroundings);
+    const std::string head = request.simd.empty() ? "A: " + request.a + "\nB: " + request.b + "\n" : std::string();
+    report(results, sides.front().name, out, scratch.path(), head, "", surroundings);
 }
 
 } // namespace carom::cli

@@ -12,8 +12,13 @@
 namespace carom::lab
 {
 
-/// Names in the order of reports: "carom", "box2d3", "rapier", "box2d2", and "origin", which is Carom with the quadtree of the engine that it began as.
+/// Names in the order of reports: "carom"; "box2d3", and "box2d3-source", which is built from a checkout of the user's; "rapier", "box2d2"; and "origin",
+/// which is Carom with the quadtree of the engine that it began as.
 std::span<const std::string_view> engine_names();
+
+/// All of them but "box2d3-source", which is among them only where it is built.
+/// @param peers the folder with the peers' programs
+std::vector<std::string> default_engines(const std::filesystem::path& peers);
 
 /// @param names  of engine_names(), in the order in which they take part
 /// @param carom  the `carom` program

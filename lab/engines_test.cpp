@@ -24,6 +24,18 @@ TEST(Engines, are_found_or_reported_as_missing)
     std::filesystem::remove_all(folder);
 }
 
+TEST(Engines, take_part_by_default_but_a_checkout_only_where_it_is_built)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("carom_engines_default_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    EXPECT_EQ(default_engines(folder), (std::vector<std::string>{"carom", "box2d3", "rapier", "box2d2", "origin"}));
+    const std::vector<std::string> names = {"box2d3-source"};
+    EXPECT_NE(find_engines(names, "/bin/carom", folder)[0].missing.find("./dev peers box2d3 --source DIR"), std::string::npos);
+    std::ofstream(folder / "carom-peer-box2d3-source") << "#!/bin/sh\n";
+    EXPECT_EQ(default_engines(folder), (std::vector<std::string>{"carom", "box2d3", "box2d3-source", "rapier", "box2d2", "origin"}));
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Engines, of_other_names_are_refused)
 {
     const std::vector<std::string> names = {"chipmunk"};

@@ -114,14 +114,15 @@ EngineRun run_carom(const SceneFile& file, const std::string& name, const OwnRun
 {
     EngineRun run;
     run.engine = "carom";
-    run.version = CAROM_VERSION;
     run.scene = name;
     if (options.threads > 1) run.differences.emplace_back("steps on one thread, however many are offered");
     if (options.broad_phase != BroadPhaseType::Tree)
         run.differences.push_back("finds pairs by the broad phase " + std::string(name_of(options.broad_phase)));
     WorldDef def = FilePlayback::world_def(file);
     def.broad_phase = options.broad_phase;
+    def.simd = options.simd;
     World world(def);
+    run.version = std::string(CAROM_VERSION) + ", " + std::string(name_of(world.simd()));
     FilePlayback playback(file, name);
     playback.begin(world);
     Counts counts;

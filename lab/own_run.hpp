@@ -7,6 +7,7 @@
 #include "scenes/draw_list.hpp"
 
 #include <carom/broad_phase.hpp>
+#include <carom/simd.hpp>
 
 #include <functional>
 
@@ -18,6 +19,7 @@ struct OwnRunOptions
     int threads = 1;
     int samples = 10; ///< moments at which it is told where the bodies are, the last one at the end
     BroadPhaseType broad_phase = BroadPhaseType::Tree;
+    Simd simd = Simd::Best;
     double slowdown = 0; ///< each step waits for this share of its time, as a change that makes it slower would
     /// Draws the picture after each step; its time, and that of filling the list, is told beside the step's. Empty: nothing is drawn.
     std::function<void(const scenes::DrawList&, const scenes::Camera&)> draw = {};

@@ -43,7 +43,7 @@ std::string scrolling(const Table& table) { return "<div class=\"scroll\">" + ta
 std::string report_html(const Report& report, const Plots& plots)
 {
     std::string page = head;
-    page += "<h1>Carom against its peers</h1>\n<p>" + html_text(origin_line(*report.results)) + "</p>\n";
+    page += "<h1>Carom against its peers</h1>\n<p>" + html_text(origin_line(*report.results)) + "</p>\n" + paragraph(engines_line(report));
     if (report.is_noisy) page += "<p class=\"warning\">" + html_text(noise_line(report)) + "</p>\n";
     page += section("Means", scrolling(mean_table(report)));
 

@@ -22,6 +22,8 @@ std::string interval_text(const Interval& interval, int digits = 3);
 /// "faster", "no difference, noisy".
 std::string verdict_text(const Comparison& comparison);
 std::string noise_line(const Report& report); ///< empty when it was quiet
+/// "carom 0.1.0, avx2; box2d3 3.2.0 (1234567), AVX2": of every engine that ran, in the order of the results, what it said that it is.
+std::string engines_line(const Report& report);
 std::vector<std::string> difference_lines(const Report& report);
 std::string joined(const std::vector<std::string>& words, const std::string& between);
 

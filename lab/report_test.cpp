@@ -119,6 +119,19 @@ TEST(Report, names_the_missing_in_every_format)
     }
 }
 
+TEST(Report, names_each_version_once_in_every_format)
+{
+    Results results = some_results();
+    for (CaseResult& one : results.cases)
+    {
+        one.engines[1].version = "3.2.0 (1234567)";
+        one.engines[2].version = "3.2.0 (89abcde)";
+    }
+    const Report report = evaluate(results);
+    for (const std::string& text : {report_text(report), report_markdown(report, {}, "plots"), report_html(report, {})})
+        EXPECT_NE(text.find("Engines: carom 1; sloppy 3.2.0 (1234567); slow 3.2.0 (89abcde)."), std::string::npos) << text;
+}
+
 TEST(Report, shows_plots_and_says_when_it_has_none)
 {
     const Results results = some_results();

@@ -197,6 +197,20 @@ Table mean_table(const Report& report)
     return table;
 }
 
+std::string engines_line(const Report& report)
+{
+    std::vector<std::string> engines; // few enough to search
+    for (const CaseResult& one : report.results->cases)
+    {
+        for (const EngineResult& engine : one.engines)
+        {
+            const std::string words = engine.engine + " " + engine.version;
+            if (!engine.version.empty() && std::find(engines.begin(), engines.end(), words) == engines.end()) engines.push_back(words);
+        }
+    }
+    return engines.empty() ? std::string() : "Engines: " + joined(engines, "; ") + ".";
+}
+
 std::vector<std::string> difference_lines(const Report& report)
 {
     std::set<std::string> lines;
@@ -208,7 +222,7 @@ std::vector<std::string> difference_lines(const Report& report)
 
 std::string report_text(const Report& report)
 {
-    std::string out = origin_line(*report.results) + "\n";
+    std::string out = origin_line(*report.results) + "\n" + engines_line(report) + "\n";
     if (report.is_noisy) out += noise_line(report) + "\n";
     out += "\n" + time_table(report).text();
     const Table parts = parts_table(report);
@@ -221,7 +235,7 @@ std::string report_text(const Report& report)
 
 std::string report_markdown(const Report& report, const Plots& plots, const std::string& plot_folder)
 {
-    std::string out = "# Carom against its peers\n\n" + origin_line(*report.results) + "\n\n";
+    std::string out = "# Carom against its peers\n\n" + origin_line(*report.results) + "\n\n" + engines_line(report) + "\n\n";
     if (report.is_noisy) out += noise_line(report) + "\n\n";
     const auto pictures = [&](PlotKind kind)
     {

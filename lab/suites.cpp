@@ -24,7 +24,7 @@ QualityTraits traits_of_scene(const std::string& name)
     static const std::map<std::string, QualityTraits> traits = {
         {"large_pyramid", stands}, {"many_pyramids", stands}, {"stack_20", stands}, {"spinner", stirs},
         {"tumbler", stirs},        {"washer", stirs},         {"mixed", settles},   {"origin", bounces},
-        {"orbits", floats},        {"compounds", stirs},      {"shots", shoots},
+        {"orbits", floats},        {"compounds", stirs},      {"shots", shoots},    {"sleep", stands},
     };
     const auto exact = traits.find(name);
     if (exact != traits.end()) return exact->second;
@@ -107,7 +107,7 @@ std::span<const Suite> suites()
 {
     static const std::vector<Suite> all = []
     {
-        std::vector<Suite> parts = {suite_of_field("box2d", "Box2D 3's own ten benchmark scenes"),
+        std::vector<Suite> parts = {suite_of_field("box2d", "the benchmark scenes of Box2D 3's kind"),
                                     suite_of_field("ordinary", "what games do every day"),
                                     suite_of_field("origin", "the collision scene of the engine that Carom began as"),
                                     suite_of_field("nbody", "gravity between bodies")};

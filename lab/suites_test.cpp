@@ -19,7 +19,7 @@ TEST(Suites, hold_every_scene_of_the_field_once_and_a_quick_choice)
     EXPECT_EQ(names.size(), field_scenes().size());
     EXPECT_EQ(find_suite("full").scenes.size(), names.size());
     EXPECT_EQ(find_suite("quick").scenes.size(), 12u);
-    EXPECT_EQ(find_suite("box2d").scenes.size(), 10u);
+    EXPECT_EQ(find_suite("box2d").scenes.size(), 12u);
 }
 
 TEST(Suites, know_what_should_hold)

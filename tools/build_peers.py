@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Builds the laboratory's peers, lab/peers/, into build/peers/bin/. One that can't be built is named with the reason; the others are built all the same.
 
-usage: build_peers.py [PEER...]     status 1 when one of them is not built
+usage: build_peers.py [PEER...] [--source DIR]     status 1 when one of them is not built
+
+--source DIR  a checkout of Box2D: builds it as a peer of its own, box2d3-source, beside that of the crate
 
 Box2D 3 and Rapier are built by cargo, in the versions that lab/peers/rust/Cargo.lock names; Box2D 2.4 by CMake, against the library that is installed.
 Each as fast as it gets: Box2D 3 by the newest clang and without assertions, as its own release build is, Rapier for processors with AVX2.
 """
+import argparse
 import os
 import platform
 import re
@@ -69,15 +72,18 @@ def require_rust(peer):
         raise CanNot(f"{text or 'this rustc'} is too old: it takes {need[0]}.{need[1]} or newer, as rustup installs it")
 
 
-def cargo(peer, features, log):
-    """Builds a crate and returns its program."""
+def cargo(peer, features, log, variables=None):
+    """Builds a crate and returns its program.
+
+    @param variables  of the environment, beside its own
+    """
     target = BUILD / "cargo"
     environment = os.environ | {
         "CARGO_TARGET_DIR": str(target),
         "CC": newest_clang(),
         "CFLAGS": "-O3 -DNDEBUG",
         "RUSTFLAGS": "-C target-cpu=x86-64-v3" if has_avx2() else "",
-    }
+    } | (variables or {})
     manifest = ["--manifest-path", str(RUST / "Cargo.toml")]
     chosen = ["--no-default-features", "--features", " ".join(features)]
     run(["cargo", "build", "--release", "--locked", *manifest, "-p", f"carom-peer-{peer}", *chosen], log, environment)
@@ -93,7 +99,19 @@ def install(program, name):
 
 def build_box2d3():
     require_rust("box2d3")
-    install(cargo("box2d3", ["avx2"] if has_avx2() else [], fresh_log("box2d3")), "carom-peer-box2d3")
+    features = ["crate", *(["avx2"] if has_avx2() else [])]
+    install(cargo("box2d3", features, fresh_log("box2d3")), "carom-peer-box2d3")
+
+
+def build_box2d3_source(checkout):
+    """Box2D as the checkout has it. Its headers become bindings by bindgen, which needs libclang."""
+    require_rust("box2d3")
+    folder = Path(checkout).resolve()
+    if not (folder / "include" / "box2d" / "box2d.h").is_file():
+        raise CanNot(f"{checkout} is no checkout of Box2D 3: it has no include/box2d/box2d.h")
+    features = ["source", *(["avx2"] if has_avx2() else [])]
+    log = fresh_log("box2d3-source")
+    install(cargo("box2d3", features, log, {"BOX2D_SOURCE": str(folder)}), "carom-peer-box2d3-source")
 
 
 def build_rapier():
@@ -117,16 +135,29 @@ def build_box2d2():
 PEERS = {"box2d2": build_box2d2, "box2d3": build_box2d3, "rapier": build_rapier}
 
 
-def main(names):
-    unknown = [name for name in names if name not in PEERS]
+def chosen(arguments):
+    """Functions that build, by the names of their peers."""
+    parser = argparse.ArgumentParser(description="Builds the laboratory's peers.")
+    parser.add_argument("peers", nargs="*", metavar="PEER", help=", ".join(PEERS))
+    parser.add_argument("--source", metavar="DIR", help="a checkout of Box2D, built as the peer box2d3-source")
+    wanted = parser.parse_args(arguments)
+    unknown = [name for name in wanted.peers if name not in PEERS]
     if unknown:
         sys.exit(f"unknown peer: {unknown[0]}; there are {', '.join(PEERS)}")
+    builds = {name: PEERS[name] for name in wanted.peers or PEERS}
+    if wanted.source is not None:
+        builds["box2d3-source"] = lambda: build_box2d3_source(wanted.source)
+    return builds
+
+
+def main(arguments):
+    builds = chosen(arguments)
     BUILD.mkdir(parents=True, exist_ok=True)
     status = 0
-    for name in names or PEERS:
+    for name, build in builds.items():
         print(f"{name}: building", flush=True)
         try:
-            PEERS[name]()
+            build()
             print(f"{name}: built, {(BIN / f'carom-peer-{name}').relative_to(ROOT)}", flush=True)
         except CanNot as reason:
             print(f"{name}: NOT BUILT: {reason}", flush=True)

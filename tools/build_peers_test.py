@@ -39,6 +39,15 @@ class BuildPeers(unittest.TestCase):
         self.assertEqual(made, ["second"])
         self.assertIn("first: NOT BUILT: no reason", [call.args[0] for call in said.call_args_list])
 
+    def test_a_checkout_is_built_beside_what_is_named(self):
+        self.assertEqual(list(build_peers.chosen(["box2d3", "--source", "somewhere"])), ["box2d3", "box2d3-source"])
+        self.assertEqual(list(build_peers.chosen([])), list(build_peers.PEERS))
+
+    def test_a_folder_without_headers_is_no_checkout(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(build_peers, "require_rust"):
+            with self.assertRaisesRegex(build_peers.CanNot, "is no checkout of Box2D 3"):
+                build_peers.build_box2d3_source(folder)
+
     def test_a_failed_command_shows_the_end_of_its_log(self):
         with tempfile.TemporaryDirectory() as folder:
             log = Path(folder) / "log"

@@ -31,7 +31,7 @@ struct PointField
 enum class NBodyMethod
 {
     Direct,   ///< every pair: exact, O(n s) for n bodies and s sources
-    BarnesHut ///< far groups as one mass, on a quadtree: O(n log s), as exact as the opening angle asks
+    BarnesHut ///< far groups as one mass, on quadtrees: about O(n + s), as exact as the opening angle asks
 };
 
 /// Which bodies pull.

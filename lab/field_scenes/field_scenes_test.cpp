@@ -104,6 +104,8 @@ TEST(FieldScenes, have_the_sizes_of_the_field)
     EXPECT_EQ(moving_bodies(made("spinner")), 6077u); // with the beam
     EXPECT_EQ(moving_bodies(made("tumbler")), 2025u);
     EXPECT_EQ(moving_bodies(made("washer")), 8000u);
+    EXPECT_EQ(moving_bodies(made("sleep")), 100u * 55);
+    EXPECT_EQ(moving_bodies(made("tile_world")), 8u * 125);
     EXPECT_EQ(made("joint_grid").bodies.size(), 10000u);
     EXPECT_EQ(made("joint_grid").joints.size(), 19800u);
     EXPECT_EQ(made("origin_500").bodies.size(), 1001u);
@@ -141,6 +143,33 @@ TEST(FieldScenes, the_smashed_squares_sleep_until_they_are_hit)
     EXPECT_EQ(player.world().awake_body_count(), 1);
     quarantined_after(player, 100);
     EXPECT_GT(player.world().awake_body_count(), 100);
+}
+
+TEST(FieldScenes, piles_sleep_and_one_in_four_is_woken)
+{
+    FilePlayer player(made("sleep", 8));
+    quarantined_after(player, 119);
+    EXPECT_EQ(player.world().awake_body_count(), 0);
+    quarantined_after(player, 2); // the event comes before step 120
+    EXPECT_EQ(player.world().awake_body_count(), 2 * 55);
+    quarantined_after(player, player.file().steps - 121);
+    EXPECT_EQ(player.world().awake_body_count(), 0) << "all rest again at the end";
+    EXPECT_LT(largest_shift(player), 0.1f) << "a hop topples nothing";
+}
+
+TEST(FieldScenes, the_tile_map_holds_what_runs_over_it)
+{
+    FilePlayer player(made("tile_world", 40));
+    EXPECT_EQ(player.world().body_count(), 8 + 8 * 10);
+    EXPECT_EQ(quarantined_after(player, 300), 0u);
+    for (int i = 8; i < player.playback().body_count(); ++i)
+    {
+        const Vec2 start = player.file().bodies[static_cast<std::size_t>(i)].def.position;
+        const Vec2 place = player.world().body(player.playback().body(i)).position();
+        EXPECT_NEAR(place.y, start.y, 5) << "body " << i << " left its floor";
+        EXPECT_GT(place.x, 0);
+        EXPECT_LT(place.x, 40);
+    }
 }
 
 /// A beam that is held back at each body that it pushes, while it keeps the speed that its motor gives it, comes to turn as fast as the motor can,

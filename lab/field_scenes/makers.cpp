@@ -45,4 +45,16 @@ Geometry mixed_geometry(int kind, float radius, scenes::Random& random)
     }
 }
 
+void add_pyramid(SceneFile& file, Vec2 foot, int rows)
+{
+    for (int row = 0; row < rows; ++row)
+    {
+        for (int i = 0; i < rows - row; ++i)
+        {
+            const Vec2 place{0.5f * static_cast<float>(row) + static_cast<float>(i) + 0.5f, static_cast<float>(row) + 0.5f};
+            add(file, body_of({.position = foot + place}, box(1, 1)));
+        }
+    }
+}
+
 } // namespace carom::lab

@@ -14,6 +14,9 @@ SceneFile many_pyramids(const FieldSetup& setup);
 SceneFile compounds(const FieldSetup& setup);
 SceneFile junkyard(const FieldSetup& setup);
 SceneFile smash(const FieldSetup& setup);
+// Large worlds of which little is busy.
+SceneFile tile_world(const FieldSetup& setup);
+SceneFile sleep(const FieldSetup& setup);
 // Machines.
 SceneFile joint_grid(const FieldSetup& setup);
 SceneFile spinner(const FieldSetup& setup);
@@ -39,6 +42,9 @@ FileBody body_of(const BodyDef& def, const Geometry& geometry, const ShapeDef& s
 FileBody ground_body();
 /// Adds a body and tells its number. Only for scenes whose events create none before.
 int add(SceneFile& file, FileBody body);
+/// Adds boxes of 1 m that touch each other, each row on the gaps of the one below; the top one comes last.
+/// @param foot left end of the lowest row
+void add_pyramid(SceneFile& file, Vec2 foot, int rows);
 /// A floor and two walls on it, open above.
 /// @param half_width of the inside [m]
 FileBody open_box(float half_width, float height, const ShapeDef& shape = {});

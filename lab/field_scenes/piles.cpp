@@ -11,22 +11,6 @@ namespace carom::lab
 namespace
 {
 
-constexpr float side = 1; // of a pyramid's boxes [m]
-
-/// Boxes that touch each other, each row on the gaps of the one below.
-/// @param foot left end of the lowest row
-void add_pyramid(SceneFile& file, Vec2 foot, int rows)
-{
-    for (int row = 0; row < rows; ++row)
-    {
-        for (int i = 0; i < rows - row; ++i)
-        {
-            const Vec2 place{0.5f * static_cast<float>(row) + static_cast<float>(i) + 0.5f, static_cast<float>(row) + 0.5f};
-            add(file, body_of({.position = foot + side * place}, box(side, side)));
-        }
-    }
-}
-
 /// A table: a plate on two legs.
 FileBody table(const BodyDef& def)
 {

@@ -553,16 +553,17 @@ def main():
     parser.add_argument("--peers", type=Path, required=True, help="folder with carom-peer-*")
     parser.add_argument("--carom", type=Path, help="the program carom")
     options, rest = parser.parse_known_args()
-    engines = [Engine(name, [str(options.peers / f"carom-peer-{name}")]) for name in ("box2d2", "box2d3", "rapier")]
+    engines = [Engine(name, [str(options.peers / f"carom-peer-{name}")]) for name in ("box2d2", "box2d3", "box2d3-source", "rapier")]
     engines = [engine for engine in engines if Path(engine.command[0]).exists()]
     carom = Engine("carom", [str(options.carom), "lab", "step"]) if options.carom else None
     if not engines:
         sys.exit(f"no peer is in {options.peers}; build them by ./dev peers")
     for engine in engines + ([carom] if carom else []):
-        globals()[f"Test_{engine.name}"] = type(f"Test_{engine.name}", (PeerTests, unittest.TestCase), {"engine": engine})
+        name = engine.name.replace("-", "_")
+        globals()[f"Test_{name}"] = type(f"Test_{name}", (PeerTests, unittest.TestCase), {"engine": engine})
         if carom and engine is not carom:
             members = {"engine": engine, "carom": carom}
-            globals()[f"TestAgreement_{engine.name}"] = type(f"TestAgreement_{engine.name}", (AgreementTests, unittest.TestCase), members)
+            globals()[f"TestAgreement_{name}"] = type(f"TestAgreement_{name}", (AgreementTests, unittest.TestCase), members)
     unittest.main(argv=[sys.argv[0], *rest])
 
 

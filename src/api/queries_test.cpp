@@ -233,6 +233,18 @@ TEST_F(QueriesTest, VisitorsEndWhenTheyWant)
     EXPECT_EQ(world.shapes_at({0, 0}).size(), 1000u);
 }
 
+TEST_F(QueriesTest, shapes_far_apart_in_the_order_of_indices_are_all_found)
+{
+    for (int i = 0; i < 70'000; ++i) add({i % 1000 == 7 ? 0.0f : 100.0f + static_cast<float>(i), 0}, circle(0.4f));
+    std::vector<std::uint32_t> seen;
+    world.visit_overlapping(circle(1), {}, [&seen](ShapeId id) { seen.push_back(id.index); });
+    ASSERT_EQ(seen.size(), 70u);
+    for (std::uint32_t i = 0; i < 70; ++i) EXPECT_EQ(seen[i], 1000 * i + 7);
+    int visits = 0;
+    world.visit_overlapping(circle(1), {}, [&visits](ShapeId) { return ++visits < 60; });
+    EXPECT_EQ(visits, 60) << "a visitor ends the query in any window";
+}
+
 TEST_F(QueriesTest, ClosestPoint)
 {
     const BodyId a = add({5, 0}, box(2, 2));

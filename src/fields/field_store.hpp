@@ -28,17 +28,21 @@ class FieldForces
 public:
     explicit FieldForces(std::pmr::memory_resource& memory);
 
+    /// @param is_new_step no: the bodies are those of the last call, with their masses, and have moved within a step
+    /// @param passes of the instruction set that the world uses
     /// @return acceleration by motion index [m/s^2], before each body's gravity scale; empty when there is no field. Valid until the next call.
-    std::span<const Vec2> at_bodies(const FieldStore& fields, const BodyStore& bodies);
+    std::span<const Vec2> at_bodies(const FieldStore& fields, const BodyStore& bodies, const PullPasses& passes, bool is_new_step);
 
     /// Acceleration at one point, all sources included [m/s^2].
     static Vec2 at_point(const FieldStore& fields, const BodyStore& bodies, Vec2 point);
 
 private:
-    void gather_sources(NBodySources which, const BodyStore& bodies);
+    void list_sources(NBodySources which, const BodyStore& bodies);
+    void place_sources(const BodyStore& bodies);
 
     std::pmr::vector<Vec2> targets_;
     std::pmr::vector<Vec2> acceleration_;
+    std::pmr::vector<std::uint32_t> source_slots_;
     std::pmr::vector<Vec2> source_positions_;
     std::pmr::vector<float> source_masses_;
     NBodySolver n_body_;

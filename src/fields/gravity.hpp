@@ -34,14 +34,17 @@ public:
 
     /// Adds the pull of the sources at each target by the field's method. A source at exactly the target's position pulls nothing,
     /// so a body does not pull itself.
-    void add(const NBodyField& field, const PointMasses& sources, std::span<const Vec2> targets, std::span<Vec2> acceleration);
+    /// @param are_as_before the sources and targets are those of the last call by the same field, and have hardly moved
+    void add(const NBodyField& field, const PointMasses& sources, std::span<const Vec2> targets, std::span<Vec2> acceleration,
+             const PullPasses& passes, bool are_as_before = false);
 
 private:
     void gather(float gravitational_constant, const PointMasses& sources);
-    void add_direct(float softening, std::span<const Vec2> targets, std::span<Vec2> acceleration);
+    void add_direct(float softening, std::span<const Vec2> targets, std::span<Vec2> acceleration, const PullPasses& passes);
 
     std::pmr::vector<Vec2> positions_; ///< of the sources that pull
     std::pmr::vector<float> pull_;     ///< gravitational constant times their mass [m^3/s^2]
+    std::pmr::vector<Vec2> pulls_;     ///< at the targets
     InteractionList all_;
     BarnesHut barnes_hut_;
 };

@@ -1,11 +1,12 @@
-// Masses that act on a few points near each other, and the sum of their pulls: the inner loop of every N-body method.
+// Masses that act on a few points near each other, in the blocks that the pull kernels sum.
 #pragma once
 
-#include "math/float4.hpp"
+#include "fields/isa/pull_passes.hpp"
 
 #include <carom/math.hpp>
 
 #include <cstddef>
+#include <cstring>
 #include <memory_resource>
 #include <vector>
 
@@ -25,14 +26,8 @@ struct GroupMass
     Vec2 center; ///< of mass [m]
     Vec2 rest;   ///< what float leaves over: the centre of bodies a million metres from the origin lies between the places it can name
     float pull;  ///< of all [m^3/s^2]
-    float spread_xx, spread_xy, spread_yy; ///< mean of (offset from the centre) x (offset from the centre), weighed by pull [m^2]
-};
-
-/// What bounds a pull.
-struct PullLimits
-{
-    float softening_squared; ///< [m^2]
-    float largest;           ///< of one mass [m/s^2]: so many times below the largest float as there are masses, so no sum overflows
+    float spread_xx, spread_xy, spread_yy;        ///< means of products of two offsets from the centre, weighed by pull [m^2]
+    float skew_xxx, skew_xxy, skew_xyy, skew_yyy; ///< of three [m^3]
 };
 
 PullLimits pull_limits(float softening, std::size_t mass_count);
@@ -40,56 +35,70 @@ PullLimits pull_limits(float softening, std::size_t mass_count);
 /// Pull of a single body.
 Vec2 pull_of_one(const PointPull& body, Vec2 target, const PullLimits& limits);
 
-/// Bodies and groups in blocks of four, so that four pulls are computed at once.
+/// Bodies by component, with room behind the last one for what a copy of eight writes too much.
+struct BodyArrays
+{
+    explicit BodyArrays(std::pmr::memory_resource& memory) : x(&memory), y(&memory), pull(&memory) {}
+
+    void resize(std::size_t count)
+    {
+        for (std::pmr::vector<float>* const component : {&x, &y, &pull}) component->resize(count + pull_parts);
+    }
+    void set(std::size_t at, const PointPull& body)
+    {
+        x[at] = body.position.x;
+        y[at] = body.position.y;
+        pull[at] = body.pull;
+    }
+
+    std::pmr::vector<float> x, y, pull;
+};
+
 class InteractionList
 {
 public:
-    explicit InteractionList(std::pmr::memory_resource& memory) : bodies_(&memory), groups_(&memory) {}
+    explicit InteractionList(std::pmr::memory_resource& memory) : bodies_(memory), groups_(&memory) {}
 
-    /// Makes room for so many bodies and groups together.
-    void reserve(std::size_t count);
+    /// Makes room for so many bodies, and for so many groups.
+    void reserve(std::size_t bodies, std::size_t groups);
     void clear() { body_count_ = group_count_ = 0; }
 
-    void add(const PointPull& body) { bodies_[body_count_ / 4].set(body_count_ % 4, body), ++body_count_; }
-    void add(const GroupMass& group) { groups_[group_count_ / 4].set(group_count_ % 4, group), ++group_count_; }
-    /// Fills the last blocks with masses that pull nothing. After the last add, before pull_at.
-    void finish();
-
-    /// Sum of the pulls, pull d / (|d|^2 + softening^2)^(3/2) for a body.
-    Vec2 pull_at(Vec2 target, const PullLimits& limits) const;
-
-    struct alignas(16) BodyBlock
+    void add(const PointPull& body) { bodies_.set(body_count_++, body); }
+    /// Adds the bodies from begin to before end.
+    void add(const BodyArrays& from, std::size_t begin, std::size_t end)
     {
-        float x[4], y[4], pull[4];
-
-        void set(std::size_t lane, const PointPull& body)
+        for (std::size_t i = begin; i < end; i += pull_parts)
         {
-            x[lane] = body.position.x;
-            y[lane] = body.position.y;
-            pull[lane] = body.pull;
+            const std::size_t at = body_count_ + i - begin;
+            std::memcpy(bodies_.x.data() + at, from.x.data() + i, pull_parts * sizeof(float));
+            std::memcpy(bodies_.y.data() + at, from.y.data() + i, pull_parts * sizeof(float));
+            std::memcpy(bodies_.pull.data() + at, from.pull.data() + i, pull_parts * sizeof(float));
         }
-    };
-
-    struct alignas(16) GroupBlock
+        body_count_ += end - begin;
+    }
+    void add(const GroupMass& group)
     {
-        float x[4], y[4], rest_x[4], rest_y[4], pull[4];
-        float spread_xx[4], spread_xy[4], spread_yy[4];
+        GroupBlock& block = groups_[group_count_ / pull_parts];
+        const std::size_t at = group_count_++ % pull_parts;
+        block.x[at] = group.center.x;
+        block.y[at] = group.center.y;
+        block.rest_x[at] = group.rest.x;
+        block.rest_y[at] = group.rest.y;
+        block.pull[at] = group.pull;
+        block.spread_xx[at] = group.spread_xx;
+        block.spread_xy[at] = group.spread_xy;
+        block.spread_yy[at] = group.spread_yy;
+        block.skew_xxx[at] = group.skew_xxx;
+        block.skew_xxy[at] = group.skew_xxy;
+        block.skew_xyy[at] = group.skew_xyy;
+        block.skew_yyy[at] = group.skew_yyy;
+    }
 
-        void set(std::size_t lane, const GroupMass& group)
-        {
-            x[lane] = group.center.x;
-            y[lane] = group.center.y;
-            rest_x[lane] = group.rest.x;
-            rest_y[lane] = group.rest.y;
-            pull[lane] = group.pull;
-            spread_xx[lane] = group.spread_xx;
-            spread_xy[lane] = group.spread_xy;
-            spread_yy[lane] = group.spread_yy;
-        }
-    };
+    /// Fills up with masses that pull nothing. Valid until the next change.
+    PullList finished();
 
 private:
-    std::pmr::vector<BodyBlock> bodies_;
+    BodyArrays bodies_;
     std::pmr::vector<GroupBlock> groups_;
     std::size_t body_count_ = 0;
     std::size_t group_count_ = 0;

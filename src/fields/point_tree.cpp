@@ -11,10 +11,34 @@ namespace carom::detail
 void PointTree::build(std::span<const Vec2> points, std::uint32_t bucket_size)
 {
     nodes_.clear();
+    nodes_.reserve(8 * points.size() / bucket_size + 16); // several times what points spread evenly need, so that they rarely ask for more
     keys_.clear();
     scratch_.resize(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) keys_.push_back({0, i});
     if (!points.empty()) add_node(points, bucket_size, 0, static_cast<std::uint32_t>(points.size()), no_grid);
+}
+
+void PointTree::refit(std::span<const Vec2> points)
+{
+    for (std::size_t n = nodes_.size(); n-- > 0;) // descendants first
+    {
+        Node& node = nodes_[n];
+        if (node.is_leaf)
+            node.bounds = bounds_of(points, node.begin, node.end);
+        else
+        {
+            node.bounds = nodes_[n + 1].bounds;
+            for (std::size_t child = nodes_[n + 1].next; child < node.next; child = nodes_[child].next)
+                node.bounds = merge(node.bounds, nodes_[child].bounds);
+        }
+    }
+}
+
+Aabb PointTree::bounds_of(std::span<const Vec2> points, std::uint32_t begin, std::uint32_t end) const
+{
+    Aabb bounds{points[keys_[begin].index], points[keys_[begin].index]};
+    for (std::uint32_t i = begin; i < end; ++i) bounds = {min(bounds.min, points[keys_[i].index]), max(bounds.max, points[keys_[i].index])};
+    return bounds;
 }
 
 /// Makes the node of a range of points, with its descendants.
@@ -41,10 +65,7 @@ std::uint32_t PointTree::add_node(std::span<const Vec2> points, std::uint32_t bu
         }
     }
     if (is_leaf)
-    {
-        for (std::uint32_t i = begin; i < end; ++i)
-            bounds = {min(bounds.min, points[keys_[i].index]), max(bounds.max, points[keys_[i].index])};
-    }
+        bounds = bounds_of(points, begin, end);
     else
     {
         const auto quadrant_of_point = [this, depth](std::uint32_t i)

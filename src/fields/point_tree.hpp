@@ -37,6 +37,10 @@ public:
     /// @param bucket_size points that a node holds before it divides; points at one place never divide
     void build(std::span<const Vec2> points, std::uint32_t bucket_size);
 
+    /// Puts the bounds around points that have moved a little since the tree was built, which then holds as it is.
+    /// @param points as many as then
+    void refit(std::span<const Vec2> points);
+
     std::span<const Node> nodes() const { return nodes_; }
     /// Points in depth-first order.
     std::uint32_t point_at(std::size_t place) const { return keys_[place].index; }
@@ -45,6 +49,7 @@ private:
     static constexpr int no_grid = -1;
 
     std::uint32_t add_node(std::span<const Vec2> points, std::uint32_t bucket_size, std::uint32_t begin, std::uint32_t end, int depth);
+    Aabb bounds_of(std::span<const Vec2> points, std::uint32_t begin, std::uint32_t end) const;
     bool lay_grid(std::span<const Vec2> points, std::uint32_t begin, std::uint32_t end);
 
     std::pmr::vector<Node> nodes_;

@@ -260,9 +260,28 @@ DistanceResult distance(const ConvexPoints& a, const ConvexPoints& b, const Tran
     return gjk(placed(a, {}, -origin), placed(b, b_in_a.q, b_in_a.p - origin), origin);
 }
 
+namespace
+{
+
+/// Whether a corner of the points lies well within a distance of a place: a cheap reason for overlap.
+bool has_corner_near(const ConvexPoints& points, Vec2 place, float reach)
+{
+    constexpr float share = 0.999f; // what is nearer to the edge is left to the exact distance
+    for (int i = 0; i < points.count; ++i)
+        if (length_squared(points.points[static_cast<std::size_t>(i)] - place) < share * reach * reach) return true;
+    return false;
+}
+
+} // namespace
+
 bool overlap(const Geometry& a, const Geometry& b, const Transform& b_in_a, const Tolerances& tolerances)
 {
-    return distance(convex_points(a), convex_points(b), b_in_a).distance <= tolerances.touch_distance;
+    const ConvexPoints points_a = convex_points(a);
+    const ConvexPoints points_b = convex_points(b);
+    const float reach = points_a.radius + points_b.radius;
+    if (points_b.count == 1 && has_corner_near(points_a, b_in_a * points_b.points[0], reach)) return true;
+    if (points_a.count == 1 && has_corner_near(points_b, inverse_transform(b_in_a, points_a.points[0]), reach)) return true;
+    return distance(points_a, points_b, b_in_a).distance <= tolerances.touch_distance;
 }
 
 } // namespace carom::detail

@@ -4,6 +4,7 @@
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
 #include "edit/edits.hpp"
+#include "fields/isa/pull_passes.hpp"
 #include "math/usage_error.hpp"
 #include "solver/continuous/continuous.hpp"
 #include "solver/isa/dispatch.hpp"
@@ -78,12 +79,17 @@ ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int su
     return contacts;
 }
 
+std::span<const Vec2> fields_at_bodies(WorldState& world, bool is_new_step)
+{
+    return world.field_forces.at_bodies(world.fields, world.bodies, pull_passes_of(world.simd), is_new_step);
+}
+
 void bounce(WorldState& world, ContactSolver& contacts)
 {
     if (!contacts.any_bounces()) return;
     BodyStore& bodies = world.bodies;
     std::pmr::vector<Vec2> accelerations(bodies.motions.size(), Vec2{}, &world.arena);
-    free_accelerations(bodies.masses, bodies.drives, world.gravity, world.field_forces.at_bodies(world.fields, bodies), accelerations);
+    free_accelerations(bodies.masses, bodies.drives, world.gravity, fields_at_bodies(world, true), accelerations);
     contacts.bounce(bodies.motions, bodies.watches, accelerations);
 }
 
@@ -98,7 +104,7 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
     {
         run(Stage::IntegrateVelocities, i, [&]
         {
-            const std::span<const Vec2> fields = world.field_forces.at_bodies(world.fields, bodies);
+            const std::span<const Vec2> fields = fields_at_bodies(world, i == 0);
             integrate_velocities(bodies.motions, bodies.masses, bodies.drives, world.gravity, fields, h);
         });
         run(Stage::WarmStart, i, [&]

@@ -82,6 +82,14 @@ class Run(LabTest):
         self.assertEqual(shots["quality"]["tunnelled"], 0, "Carom lets nothing through")
         self.assertNotIn("tunnelled", rays["quality"], "it is known from every step only")
 
+    def test_instruction_sets_are_compared_and_give_the_same_bits(self):
+        text = self.lab("compare", "--simd", "scalar,best", "--scenes", "stack_20", "--runs", 4, "--out", self.out)
+        self.assertIn("scalar is faster by", text)
+        self.assertIn("Engines: scalar 0.1.0, scalar; best 0.1.0, ", text)
+        [case] = json.loads(self.lab("report", self.out, "--base", "scalar", "--json"))["cases"]
+        engines = self.engines(case)
+        self.assertEqual(engines["scalar"]["quality"], engines["best"]["quality"])
+
     def test_a_slower_engine_is_found(self):
         # Gives every step twice the time that it took.
         self.peer("box2d3", f'{CAROM} lab step "$@" && sed -i -E \'s/"step_ms":\\[[^]]*\\]/"step_ms":[\'"$(seq -s, 301 600)"\']/\' "$7"')

@@ -1,7 +1,7 @@
 //! Joints of Box2D 3. Each is made bare; what its type holds is set by apply(), then and later.
 
+use crate::box2d::ffi::*;
 use crate::{transform, vec2};
-use boxdd_sys::ffi::*;
 use carom_peer_scene::file::{Joint, Motor, Range, SceneFile, Solver, Spec, Spring};
 use carom_peer_scene::run::Stop;
 

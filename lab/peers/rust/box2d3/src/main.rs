@@ -1,8 +1,9 @@
-//! Runs a scene file with Box2D 3: see lab/engine_run.hpp for the protocol. The world and its bodies; joints are in joints.rs.
+//! Runs a scene file with Box2D 3, of a crate or of a checkout (box2d.rs): see lab/engine_run.hpp for the protocol. The world and its bodies; joints are in joints.rs.
 
+mod box2d;
 mod joints;
 
-use boxdd_sys::ffi::*;
+use box2d::ffi::*;
 use carom_peer_scene::file::{Body, BodyType, Chain, ChainSides, Filter, Frame, Geometry, Joint, JointChange, Locks, Material};
 use carom_peer_scene::file::{Mixing, Polygon, Ray, SceneFile, SetBody, Shape, Vec2};
 use carom_peer_scene::run::{Engine, State, Stop};
@@ -24,14 +25,14 @@ pub struct Box2d3 {
 }
 
 impl Engine for Box2d3 {
-    const NAME: &'static str = "box2d3";
+    const NAME: &'static str = box2d::NAME;
     type Body = b2BodyId;
     type Joint = b2JointId;
 
     fn version() -> String {
         let version = unsafe { b2GetVersion() };
         let simd = if cfg!(feature = "avx2") { "AVX2" } else { "SSE2" };
-        format!("{}.{}.{} ({}), {simd}", version.major, version.minor, version.revision, &boxdd_sys::UPSTREAM_SHA[..7])
+        format!("{}.{}.{} ({}), {simd}", version.major, version.minor, version.revision, box2d::revision())
     }
 
     fn lacks(need: &str) -> Option<&'static str> {
@@ -114,7 +115,7 @@ impl Engine for Box2d3 {
     }
 
     fn destroy_joint(&mut self, joint: b2JointId) {
-        unsafe { b2DestroyJoint(joint, true) };
+        unsafe { box2d::destroy_joint(joint) };
     }
 
     fn set_gravity(&mut self, acceleration: Vec2) {
@@ -255,6 +256,7 @@ fn differences_of(scene: &SceneFile) -> Vec<String> {
     if scene.all_shapes().any(|shape| matches!(&shape.geometry, Geometry::Polygon(p) if p.radius > 0.0)) {
         list.push("a rounded polygon has its exact mass, and the engine's approximate inertia scaled to that".into());
     }
+    list.push("skips contacts whose bodies have barely moved: their points are moved along, without pre-solve, changed materials, begin or end".into());
     list.extend(joints::differences_of(scene));
     list
 }

@@ -242,7 +242,8 @@ fn differences_of(scene: &SceneFile) -> Vec<String> {
     say(scene.all_chains().any(differs), "a chain of several materials is made of polylines that know nothing of each other");
     let two_sided = scene.all_chains().any(|chain| chain.sides == ChainSides::TwoSided);
     say(two_sided, "two-sided chains are polylines, on whose corners things can catch");
-    say(filters::needs_hook(scene), "groups are minded by a hook, which keeps such pairs from being recycled");
+    say(filters::needs_hook(scene), "groups are minded by a hook, which keeps such pairs from being skipped");
+    say(true, "skips contacts whose bodies have barely moved: their points, materials and filters are not computed anew");
     let asks = scene.all_shapes().any(|shape| shape.persist_events || shape.hit_events);
     say(asks, "contacts that go on and hits are not reported");
     say(scene.all_specs().next().is_some(), "joints have the engine's own stiffness and no warm start, as it comes");
