@@ -24,7 +24,7 @@ QualityTraits traits_of_scene(const std::string& name)
     static const std::map<std::string, QualityTraits> traits = {
         {"large_pyramid", stands}, {"many_pyramids", stands}, {"stack_20", stands}, {"spinner", stirs},
         {"tumbler", stirs},        {"washer", stirs},         {"mixed", settles},   {"origin", bounces},
-        {"orbits", floats},        {"compounds", stirs},      {"shots", shoots},    {"sleep", stands},
+        {"orbits", floats},        {"compounds", stirs},      {"shots", shoots},    {"sleep_piles", stands},
     };
     const auto exact = traits.find(name);
     if (exact != traits.end()) return exact->second;

@@ -36,7 +36,7 @@ std::vector<FieldScene> box2d_suite()
          {1, 40, 100, "columns of 25 ragdolls"},
          1000,
          rain},
-        {"sleep", "box2d", "Pyramids of 55 boxes fall asleep, and some of them are woken.", {1, 100, 400, "pyramids"}, 600, sleep},
+        {"sleep_piles", "box2d", "Pyramids of 55 boxes fall asleep, and some of them are woken.", {1, 100, 400, "pyramids"}, 600, sleep},
         {"smash",
          "box2d",
          "A heavy box flies into a block of sleeping squares.",

@@ -4,6 +4,7 @@
 #include "scene_file/player.hpp"
 #include "scene_file/reader.hpp"
 #include "scene_file/writer.hpp"
+#include "scenes/registry.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -56,6 +57,11 @@ float largest_shift(const FilePlayer& player)
 
 } // namespace
 
+TEST(FieldScenes, bear_names_that_no_scene_of_the_gallery_bears)
+{
+    for (const scenes::SceneInfo& scene : scenes::all_scenes()) EXPECT_EQ(find_field_scene(scene.name), nullptr) << scene.name;
+}
+
 TEST(FieldScenes, play_at_a_small_size_to_the_same_bits_through_text)
 {
     for (const FieldScene& scene : field_scenes())
@@ -104,7 +110,7 @@ TEST(FieldScenes, have_the_sizes_of_the_field)
     EXPECT_EQ(moving_bodies(made("spinner")), 6077u); // with the beam
     EXPECT_EQ(moving_bodies(made("tumbler")), 2025u);
     EXPECT_EQ(moving_bodies(made("washer")), 8000u);
-    EXPECT_EQ(moving_bodies(made("sleep")), 100u * 55);
+    EXPECT_EQ(moving_bodies(made("sleep_piles")), 100u * 55);
     EXPECT_EQ(moving_bodies(made("tile_world")), 8u * 125);
     EXPECT_EQ(made("joint_grid").bodies.size(), 10000u);
     EXPECT_EQ(made("joint_grid").joints.size(), 19800u);
@@ -147,7 +153,7 @@ TEST(FieldScenes, the_smashed_squares_sleep_until_they_are_hit)
 
 TEST(FieldScenes, piles_sleep_and_one_in_four_is_woken)
 {
-    FilePlayer player(made("sleep", 8));
+    FilePlayer player(made("sleep_piles", 8));
     quarantined_after(player, 119);
     EXPECT_EQ(player.world().awake_body_count(), 0);
     quarantined_after(player, 2); // the event comes before step 120

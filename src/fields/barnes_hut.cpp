@@ -12,9 +12,10 @@ namespace
 /// Smaller buckets make longer walks through more nodes, larger ones longer lists. Timed with 100,000 bodies around a sun.
 constexpr std::uint32_t source_bucket = 12;
 constexpr std::uint32_t target_bucket = 24;
-/// Of the opening angle what the side of sources and that of targets may take up of their distance in a series. Chosen so that 10,000 bodies spread
-/// evenly get accelerations as exact as when each group near or far is summed for each target.
-constexpr float series_share = 0.9f;
+/// Of the opening angle what the side of sources and that of targets may take up of their distance in a series. Chosen so that every
+/// cloud of gravity_test gets accelerations at least as exact as when each group near or far is summed for each target: at an opening angle of 0.5,
+/// evenly spread bodies err by 0.13% in place of 0.18%, clustered ones by 0.02% in place of 0.1%.
+constexpr float series_share = 0.8f;
 /// Beyond this a series converges slowly.
 constexpr float largest_series_angle = 0.6f;
 /// Squares of lengths stay finite below this [m^2], with that of the softening.

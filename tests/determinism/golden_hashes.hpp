@@ -16,7 +16,7 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xfdeaa410168bc953},       SceneHash{"triggers", 0xdce2d667fe27e555},
+    SceneHash{"planets", 0xea478250e5166bbb},       SceneHash{"triggers", 0xdce2d667fe27e555},
     SceneHash{"collisions", 0xd9eb16e004c2bccf},    SceneHash{"gravity", 0xca56df53917623ae},
     SceneHash{"queries", 0x3ea9b3c34ea5e92d},       SceneHash{"character", 0x5f705949745928ac},
     SceneHash{"chain-terrain", 0x577e82296a419770}, SceneHash{"tiles", 0x85d3ac19385e9673},
