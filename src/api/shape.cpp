@@ -111,6 +111,7 @@ void Shape::set_geometry(const Geometry& geometry)
     detail::wake_with_neighbors(*world_, body);
     detail::review_contacts(*world_, body);
     world_->shapes.geometry[shape] = geometry;
+    world_->shapes.extents[shape] = detail::extent_of(geometry);
     if (world_->bodies.records[body].is_enabled)
         detail::renew_proxy(*world_, shape);
     else
