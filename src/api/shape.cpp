@@ -121,6 +121,7 @@ void Shape::set_geometry(const Geometry& geometry)
     {
         detail::mix_again(*world_, slot);
         detail::forget_impulses(world_->contacts.manifolds[slot]);
+        world_->contacts.memories[slot] = {};
     });
     detail::refresh_mass(*world_, body);
 }

@@ -12,12 +12,14 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
     make_room(contacts, contacts.size() + 1);
     make_room(manifolds, contacts.size() + 1);
+    make_room(memories, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
         contacts.emplace_back();
         manifolds.emplace_back();
+        memories.emplace_back();
     }
     contacts[slot] = pair;
     contacts[slot].is_live = true;
@@ -25,6 +27,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};
+    memories[slot] = {};
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
     link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);
     return slot;
@@ -62,6 +65,7 @@ void ContactStore::shrink()
     slots.drop_tail();
     cut(contacts, slots.size());
     cut(manifolds, slots.size());
+    cut(memories, slots.size());
     cut(awake, awake.size());
     make_room(awake, contacts.size()); // so that waking never allocates
 }
@@ -71,6 +75,7 @@ void ContactStore::reserve(std::size_t count)
     slots.reserve(count);
     contacts.reserve(count);
     manifolds.reserve(count);
+    memories.reserve(count);
     awake.reserve(count);
 }
 

@@ -1,6 +1,7 @@
 // Contacts: one for every pair of shapes whose fattened bounds overlap and that may meet, sensors included.
 #pragma once
 
+#include "dynamics/collision_memory.hpp"
 #include "dynamics/slot_pool.hpp"
 
 #include <carom/math.hpp>
@@ -16,6 +17,14 @@ namespace carom::detail
 class BodyStore;
 
 inline constexpr std::uint8_t no_color = 255;
+
+/// Whether anything but the two shapes may change a contact.
+enum class Neighborhood : std::uint8_t
+{
+    Unknown,
+    Empty, ///< each is the only shape of a dynamic body, and no one-sided segment
+    Shared
+};
 
 /// Who meets whom, and how their surfaces mix. Shape A has the lower index.
 struct Contact
@@ -39,9 +48,10 @@ struct Contact
     bool is_hitting = false;    ///< was pushed faster than the hit speed in the last step
     bool is_disabled = false;   ///< by a hook, for this step
     bool is_overridden = false; ///< a hook may have changed the surface for a step
-    std::uint32_t search = 0;   ///< the search for pairs that found it
-    float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
-    float last_tangent = 0;     ///< the same along the surface [N s]
+    Neighborhood neighborhood = Neighborhood::Unknown;
+    std::uint32_t search = 0; ///< the search for pairs that found it
+    float last_normal = 0;    ///< impulse of the last step in which it touched [N s]
+    float last_tangent = 0;   ///< the same along the surface [N s]
 };
 
 /// One point of a contact as the solver leaves it for the next step.
@@ -77,7 +87,14 @@ struct ContactManifold
 class ContactStore
 {
 public:
-    explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory), awake(&memory) {}
+    explicit ContactStore(std::pmr::memory_resource& memory)
+        : slots(memory),
+          contacts(&memory),
+          manifolds(&memory),
+          memories(&memory),
+          awake(&memory)
+    {
+    }
 
     /// Awake, whoever its bodies are: the next update looks at it. Changes nothing when memory runs out.
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
@@ -95,6 +112,7 @@ public:
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
+    std::pmr::vector<CollisionMemory> memories;
     std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
 
 private:

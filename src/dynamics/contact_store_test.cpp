@@ -78,12 +78,14 @@ TEST(ContactStore, AUsedPlaceStartsCold)
     contacts.contacts[slot].is_touching = true;
     contacts.manifolds[slot].count = 2;
     contacts.manifolds[slot].carried_impulse = 7;
+    contacts.memories[slot].result = CollisionMemory::Result::Gap;
     contacts.destroy(slot, bodies);
     ASSERT_EQ(contacts.create(pair, bodies), slot);
     EXPECT_EQ(contacts.contacts[slot].color, no_color);
     EXPECT_FALSE(contacts.contacts[slot].is_touching);
     EXPECT_EQ(contacts.manifolds[slot].count, 0);
     EXPECT_EQ(contacts.manifolds[slot].carried_impulse, 0);
+    EXPECT_EQ(contacts.memories[slot].result, CollisionMemory::Result::Nothing);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Calls the geometry's collide() for each contact and matches new points with old ones.
+// Calls the geometry's collide() for each contact with what it remembers of the last time, and matches new points with old ones.
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/internal_edges.hpp"
@@ -7,6 +7,7 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 
+#include <array>
 #include <span>
 
 namespace carom::detail
@@ -16,11 +17,11 @@ namespace
 {
 
 /// The impulses of the old point that the same features made, or none.
-void keep_impulses(ContactPointState& point, const ContactManifold& old)
+void keep_impulses(ContactPointState& point, std::span<const ContactPointState> old)
 {
-    for (int i = 0; i < old.count; ++i)
+    point.normal_impulse = point.tangent_impulse = 0;
+    for (const ContactPointState& before : old)
     {
-        const ContactPointState& before = old.points[static_cast<std::size_t>(i)];
         if (before.feature != point.feature) continue;
         point.normal_impulse = before.normal_impulse;
         point.tangent_impulse = before.tangent_impulse;
@@ -28,26 +29,32 @@ void keep_impulses(ContactPointState& point, const ContactManifold& old)
     }
 }
 
-ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts,
-                             const ContactManifold& old)
+/// Gives the manifold the features of new points; points that go on keep their impulses.
+void match_points(ContactManifold& manifold, const LocalManifold& local)
 {
-    const BodyPose& pose_a = bodies.poses[contact.body_a];
-    const BodyPose& pose_b = bodies.poses[contact.body_b];
-    const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
-    const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances);
-    const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
-    const LocalManifold local = without_internal_edges(in_front, contact, bodies, shapes, contacts);
-
-    ContactManifold manifold;
-    manifold.count = local.count;
-    manifold.normal = rotate(pose_a.transform.q, local.normal);
-    if (local.count > 0)
+    const auto goes_on = [&](std::size_t i) { return manifold.points[i].feature == local.points[i].feature; };
+    if (manifold.count == local.count && goes_on(0) && (local.count == 1 || goes_on(1))) return;
+    const std::array<ContactPointState, 2> old = manifold.points;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
-        manifold.rolling_impulse = old.rolling_impulse;
-        manifold.carried_impulse = old.carried_impulse;
+        manifold.points[i].feature = local.points[i].feature;
+        keep_impulses(manifold.points[i], std::span(old).first(static_cast<std::size_t>(manifold.count)));
     }
-    manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
-    manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
+    manifold.count = local.count;
+}
+
+/// Writes a contact as it is now. The sums over the last step are gone.
+void write(ContactManifold& manifold, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
+{
+    manifold.normal = rotate(pose_a.transform.q, local.normal);
+    manifold.total_rolling = 0;
+    if (local.count == 0)
+    {
+        manifold.count = 0;
+        manifold.rolling_impulse = manifold.carried_impulse = 0;
+        return;
+    }
+    match_points(manifold, local);
     const Vec2 centers = pose_b.center - pose_a.center;
     for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
@@ -56,10 +63,52 @@ ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const Sh
         point.r_b = point.r_a - centers;
         point.position = pose_a.center + point.r_a;
         point.separation = local.points[i].separation;
-        point.feature = local.points[i].feature;
-        keep_impulses(point, old);
+        point.total_normal = point.total_tangent = point.normal_velocity = 0;
     }
-    return manifold;
+}
+
+/// Looks at the surroundings of a contact when they are not known.
+bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
+{
+    const auto is_alone = [&](std::uint32_t shape, std::uint32_t body)
+    { return !shapes.records[shape].is_one_sided && bodies.is_dynamic(body) && bodies.records[body].shape_count == 1; };
+    if (contact.neighborhood == Neighborhood::Unknown)
+    {
+        const bool are_alone = is_alone(contact.shape_a, contact.body_a) && is_alone(contact.shape_b, contact.body_b);
+        contact.neighborhood = are_alone ? Neighborhood::Empty : Neighborhood::Shared;
+    }
+    return contact.neighborhood == Neighborhood::Shared;
+}
+
+/// Collides two shapes with what is remembered of the last time.
+LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, ContactManifold& manifold, const Transform& b_in_a,
+                             const ShapeStore& shapes)
+{
+    const bool is_known = holds(memory, b_in_a);
+    if (is_known && memory.result == CollisionMemory::Result::Gap) return {};
+    const Geometry& a = shapes.geometry[contact.shape_a];
+    const Geometry& b = shapes.geometry[contact.shape_b];
+    FaceSearch search = {
+        .are_known = is_known, .face_a = memory.face_a, .face_b = memory.face_b, .facing_a = memory.facing_a, .facing_b = memory.facing_b};
+    const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
+    if (!is_known || search.gap > 0)
+        memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
+    manifold.rounding_a = rounding(a);
+    manifold.rounding_b = rounding(b);
+    return local;
+}
+
+void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
+{
+    Contact& contact = contacts.contacts[slot];
+    ContactManifold& manifold = contacts.manifolds[slot];
+    const BodyPose& pose_a = bodies.poses[contact.body_a];
+    const BodyPose& pose_b = bodies.poses[contact.body_b];
+    const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
+    const LocalManifold alone = collide_shapes(contact, contacts.memories[slot], manifold, b_in_a, shapes);
+    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
+    const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
+    write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
 }
 
 ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
@@ -126,12 +175,13 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
         if (!may_have_points)
         {
             manifold.count = 0;
-            if (!contact.is_sensor) keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
+            if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
+                keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
         }
         else if (contact.is_sensor)
             manifold = overlap_pair(contact, bodies, shapes);
         else
-            manifold = collide_pair(contact, bodies, shapes, contacts, manifold);
+            collide_pair(slot, bodies, shapes, contacts);
 
         note_change(contact, manifold, slot, changes);
     }

@@ -102,6 +102,12 @@ private:
         }
     }
 
+    bool is_alone(std::uint32_t shape) const
+    {
+        const ShapeRecord& record = world_.shapes.records[shape];
+        return !record.is_one_sided && bodies_.is_dynamic(record.body) && bodies_.records[record.body].shape_count == 1;
+    }
+
     void check_contacts()
     {
         std::size_t live = 0;
@@ -120,6 +126,9 @@ private:
             const bool share_island = bodies_.records[contact.body_a].island == bodies_.records[contact.body_b].island;
             const bool has_points = !contact.is_sensor && contacts_.manifolds[slot].count > 0;
             expect(any_active || !are_dynamic || !has_points || share_island, "sleepers that touch share an island", slot);
+            if (contact.neighborhood == Neighborhood::Empty)
+                expect(is_alone(contact.shape_a) && is_alone(contact.shape_b), "what has no neighbourhood is alone on a dynamic body",
+                       slot);
             if (contact.color == no_color) continue;
             expect(any_active && !contact.is_sensor, "a coloured contact has an active body", slot);
             expect(!are_dynamic || share_island, "bodies that push each other share an island", slot);
