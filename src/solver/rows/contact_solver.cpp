@@ -22,17 +22,6 @@ inline constexpr float whirl = 1;
 /// The arm of a point on a disc: straight towards what it touches.
 inline Vec2 arm_of_disc(Vec2 r, Vec2 n) { return dot(r, n) * n; }
 
-/// Writes a point of a contact into lane `i` of its row.
-template <class F>
-void fill_point(PointRow<F>& row, int i, const ContactPointState& point, float warm_scale)
-{
-    set_lane(row.r_a, i, point.r_a);
-    set_lane(row.r_b, i, point.r_b);
-    lane(row.adjusted_separation, i) = point.separation; // prepare() adjusts it
-    lane(row.lambda_n, i) = warm_scale * point.normal_impulse;
-    lane(row.lambda_t, i) = warm_scale * point.tangent_impulse;
-}
-
 /// Writes a contact into lane `i` of a row; the rest follows from that in prepare().
 template <class F, int N>
 void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
@@ -42,10 +31,17 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     const ContactManifold& manifold = contacts.manifolds[slot];
     const std::uint32_t index_a = bodies.motion_index[contact.body_a];
     const std::uint32_t index_b = bodies.motion_index[contact.body_b];
-    const BodyMass& mass_a = bodies.masses[index_a];
-    const BodyMass& mass_b = bodies.masses[index_b];
+    const BodyMass mass_a = bodies.masses[index_a];
+    const BodyMass mass_b = bodies.masses[index_b];
     const bool with_static = mass_a.inv_mass == Vec2{} || mass_b.inv_mass == Vec2{};
     const Softness& softness = with_static ? constants.with_static : constants.between_dynamic;
+    const float whirl_speed = whirl * constants.inv_h;
+    const float w_a = bodies.motions[index_a].w;
+    const float w_b = bodies.motions[index_b].w;
+    const bool a_whirls = w_a * w_a > whirl_speed * whirl_speed;
+    const bool b_whirls = w_b * w_b > whirl_speed * whirl_speed;
+    const Vec2 n = manifold.normal;
+    const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
 
     const std::size_t at = static_cast<std::size_t>(i);
     row.contact[at] = slot;
@@ -57,14 +53,9 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     set_lane(row.inv_mass_b, i, mass_b.inv_mass);
     lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
     lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
-    set_lane(row.n, i, manifold.normal);
-    const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
-    const float whirl_speed = whirl * constants.inv_h;
-    const auto whirls = [&](const BodyMotion& motion) { return motion.w * motion.w > whirl_speed * whirl_speed; };
-    const bool a_whirls = whirls(bodies.motions[index_a]);
-    const bool b_whirls = whirls(bodies.motions[index_b]);
-    lane(row.core_a, i) = a_whirls ? dot(manifold.points[0].r_a, manifold.normal) : manifold.rounding_a + gap;
-    lane(row.core_b, i) = b_whirls ? -dot(manifold.points[0].r_b, manifold.normal) : manifold.rounding_b + gap;
+    set_lane(row.n, i, n);
+    lane(row.core_a, i) = a_whirls ? dot(manifold.points[0].r_a, n) : manifold.rounding_a + gap;
+    lane(row.core_b, i) = b_whirls ? -dot(manifold.points[0].r_b, n) : manifold.rounding_b + gap;
     lane(row.friction, i) = contact.friction;
     lane(row.restitution, i) = contact.restitution;
     lane(row.tangent_speed, i) = contact.tangent_speed;
@@ -76,10 +67,13 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
     for (std::size_t p = 0; p < N; ++p)
     {
-        ContactPointState point = manifold.points[p];
-        if (a_whirls) point.r_a = arm_of_disc(point.r_a, manifold.normal);
-        if (b_whirls) point.r_b = arm_of_disc(point.r_b, manifold.normal);
-        fill_point(row.points[p], i, point, constants.warm_scale);
+        const ContactPointState& point = manifold.points[p];
+        PointRow<F>& to = row.points[p];
+        set_lane(to.r_a, i, a_whirls ? arm_of_disc(point.r_a, n) : point.r_a);
+        set_lane(to.r_b, i, b_whirls ? arm_of_disc(point.r_b, n) : point.r_b);
+        lane(to.adjusted_separation, i) = point.separation; // prepare() adjusts it
+        lane(to.lambda_n, i) = constants.warm_scale * point.normal_impulse;
+        lane(to.lambda_t, i) = constants.warm_scale * point.tangent_impulse;
     }
 }
 
@@ -95,7 +89,7 @@ public:
     {
         if (next_ == lanes_)
         {
-            rows_->emplace_back(ContactRow<F, N>{}).contact.fill(null_index);
+            rows_->emplace_back().contact.fill(null_index);
             next_ = 0;
         }
         fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
@@ -109,6 +103,23 @@ private:
     int next_;
     bool any_belts_ = false;
 };
+
+/// How many contacts ahead their lines are fetched: those of one colour lie anywhere.
+constexpr std::size_t fetched_ahead = 6;
+
+template <class T>
+void fetch(const T& item)
+{
+    constexpr std::size_t line = 64;
+    const auto* const bytes = reinterpret_cast<const std::byte*>(&item);
+    for (std::size_t i = 0; i < sizeof(T); i += line) __builtin_prefetch(bytes + i);
+}
+
+void fetch(const ContactStore& contacts, std::uint32_t slot)
+{
+    fetch(contacts.contacts[slot]);
+    fetch(contacts.manifolds[slot]);
+}
 
 /// The rows of one colour.
 struct ColorRange
@@ -191,8 +202,10 @@ void WideContactSolver<F>::build_color(std::span<const std::uint32_t> color, int
     ColorRange range = {single_.size(), 0, double_.size(), 0};
     RowWriter<F, 1> single(single_, lanes);
     RowWriter<F, 2> pairs(double_, lanes);
-    for (const std::uint32_t slot : color)
+    for (std::size_t i = 0; i < color.size(); ++i)
     {
+        const std::uint32_t slot = color[i];
+        if (i + fetched_ahead < color.size()) fetch(contacts, color[i + fetched_ahead]);
         if (contacts.manifolds[slot].count == 1)
             single.write(slot, bodies, contacts, constants);
         else
