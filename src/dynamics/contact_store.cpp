@@ -14,6 +14,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     make_room(manifolds, contacts.size() + 1);
     make_room(memories, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
+    make_room(awake_pairs, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
@@ -47,6 +48,7 @@ void ContactStore::wake(std::uint32_t slot)
     if (contacts[slot].place_in_awake != null_index) return;
     contacts[slot].place_in_awake = static_cast<std::uint32_t>(awake.size());
     awake.push_back(slot);
+    awake_pairs.push_back({contacts[slot].shape_a, contacts[slot].shape_b, false});
 }
 
 void ContactStore::put_to_sleep(std::uint32_t slot)
@@ -57,6 +59,8 @@ void ContactStore::put_to_sleep(std::uint32_t slot)
     awake[place] = last;
     contacts[last].place_in_awake = place;
     awake.pop_back();
+    awake_pairs[place] = awake_pairs.back();
+    awake_pairs.pop_back();
     contacts[slot].place_in_awake = null_index;
 }
 
@@ -67,7 +71,14 @@ void ContactStore::shrink()
     cut(manifolds, slots.size());
     cut(memories, slots.size());
     cut(awake, awake.size());
-    make_room(awake, contacts.size()); // so that waking never allocates
+    cut(awake_pairs, awake_pairs.size());
+    make_room_to_wake();
+}
+
+void ContactStore::make_room_to_wake()
+{
+    make_room(awake, contacts.size());
+    make_room(awake_pairs, contacts.size());
 }
 
 void ContactStore::reserve(std::size_t count)
@@ -77,6 +88,7 @@ void ContactStore::reserve(std::size_t count)
     manifolds.reserve(count);
     memories.reserve(count);
     awake.reserve(count);
+    awake_pairs.reserve(count);
 }
 
 } // namespace carom::detail

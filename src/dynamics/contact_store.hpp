@@ -82,6 +82,15 @@ struct ContactManifold
     std::array<ContactPointState, 2> points;
 };
 
+/// What a step reads first of an awake contact: most pairs of a crowd are near and do not touch, and need nothing else.
+struct AwakePair
+{
+    std::uint32_t shape_a;
+    std::uint32_t shape_b;
+    /// No points, no colour, nothing that events told, and no surface beyond the two shapes: while their bounds are apart, it stays so.
+    bool is_idle;
+};
+
 /// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The
 /// contacts of a body form a list of edges (dynamics/edge_list.hpp).
 class ContactStore
@@ -92,7 +101,8 @@ public:
           contacts(&memory),
           manifolds(&memory),
           memories(&memory),
-          awake(&memory)
+          awake(&memory),
+          awake_pairs(&memory)
     {
     }
 
@@ -100,6 +110,8 @@ public:
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);
+    /// Room to wake every contact: what create() sees to, and a copy of the arrays does not bring along.
+    void make_room_to_wake();
     /// Gives back the memory of what lies behind the last contact, and spare room.
     void shrink();
     /// Contacts that are made from now on are new; those from before no longer.
@@ -113,7 +125,8 @@ public:
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
     std::pmr::vector<CollisionMemory> memories;
-    std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
+    std::pmr::vector<std::uint32_t> awake;   ///< slots, in an order that only the history of the world decides
+    std::pmr::vector<AwakePair> awake_pairs; ///< of the awake contacts, in the same order
 
 private:
     std::uint32_t search_ = 0; ///< the last one's number; turns over after years, when no pair of that time is left

@@ -56,6 +56,12 @@ TEST(ContactStore, ListsOfBodiesAgreeWithAMapWhateverComesAndGoes)
             EXPECT_FALSE(contacts.contacts[victim->first].is_live);
             live.erase(victim);
         }
+        ASSERT_EQ(contacts.awake_pairs.size(), contacts.awake.size());
+        for (std::size_t place = 0; place < contacts.awake.size(); ++place)
+        {
+            ASSERT_EQ(contacts.awake_pairs[place].shape_a, live.at(contacts.awake[place]).first);
+            ASSERT_EQ(contacts.awake_pairs[place].shape_b, live.at(contacts.awake[place]).second);
+        }
         for (std::uint32_t body = 0; body < 6; ++body)
         {
             std::set<std::uint32_t> expected;

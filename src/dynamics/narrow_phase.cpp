@@ -6,7 +6,9 @@
 #include "geometry/distance.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
+#include "memory/fetch_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -119,12 +121,77 @@ ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, co
     return manifold;
 }
 
+/// @return whether the contact is idle now (AwakePair)
+bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
+{
+    Contact& contact = contacts.contacts[slot];
+    ContactManifold& manifold = contacts.manifolds[slot];
+    if (!may_have_points)
+    {
+        manifold.count = 0;
+        if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
+            keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
+    }
+    else if (contact.is_sensor)
+        manifold = overlap_pair(contact, bodies, shapes);
+    else
+        collide_pair(slot, bodies, shapes, contacts);
+    return manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
+           contact.neighborhood == Neighborhood::Empty;
+}
+
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
 {
     const bool has_points = manifold.count > 0;
     const bool has_color = contact.color != no_color;
     if (has_points && !has_color && !contact.is_sensor) changes.gained_points.push_back(slot);
     if (!has_points && has_color) changes.lost_points.push_back(slot);
+}
+
+/// How the bounds of two shapes lie to each other.
+enum class BoundsNearness : std::uint8_t
+{
+    Separated, ///< the fat ones have parted
+    Apart,     ///< the tight ones are farther apart than contacts are made
+    Near
+};
+
+BoundsNearness nearness_of(const ShapeBounds& a, const ShapeBounds& b, float margin)
+{
+    if (!overlaps(a.fat, b.fat)) return BoundsNearness::Separated;
+    return overlaps(expanded(a.tight, margin), b.tight) ? BoundsNearness::Near : BoundsNearness::Apart;
+}
+
+/// An awake contact that has to be updated.
+struct NearPair
+{
+    std::uint32_t place; ///< in the list of awake contacts
+    BoundsNearness nearness;
+};
+
+/// So many contacts are looked at before the first of them is updated: by then its lines have come from memory.
+constexpr std::size_t block_size = 32;
+
+/// The contacts of a part of the list of awake ones that have to be updated.
+/// @param near room for a block
+std::span<const NearPair> look_at_bounds(std::size_t begin, std::size_t end, const ShapeStore& shapes, const ContactStore& contacts,
+                                         std::span<NearPair> near)
+{
+    std::size_t count = 0;
+    for (std::size_t place = begin; place < end; ++place)
+    {
+        const AwakePair& pair = contacts.awake_pairs[place];
+        const BoundsNearness nearness =
+            nearness_of(shapes.bounds[pair.shape_a], shapes.bounds[pair.shape_b], shapes.tolerances.speculative_distance);
+        if (nearness == BoundsNearness::Apart && pair.is_idle) continue;
+        near[count++] = {static_cast<std::uint32_t>(place), nearness};
+        const std::uint32_t slot = contacts.awake[place];
+        fetch_lines(contacts.contacts[slot]);
+        if (nearness != BoundsNearness::Near) continue;
+        fetch_lines(contacts.memories[slot]);
+        fetch_lines(contacts.manifolds[slot]);
+    }
+    return near.first(count);
 }
 
 } // namespace
@@ -158,32 +225,22 @@ void forget_impulses(ContactManifold& manifold)
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
+    std::array<NearPair, block_size> near;
+    for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {
-        Contact& contact = contacts.contacts[slot];
-
-        const ShapeBounds& a = shapes.bounds[contact.shape_a];
-        const ShapeBounds& b = shapes.bounds[contact.shape_b];
-        if (!overlaps(a.fat, b.fat))
+        const std::size_t end = std::min(begin + block_size, contacts.awake.size());
+        for (const NearPair& pair : look_at_bounds(begin, end, shapes, contacts, near))
         {
-            changes.separated.push_back(slot);
-            continue;
+            const std::uint32_t slot = contacts.awake[pair.place];
+            if (pair.nearness == BoundsNearness::Separated)
+            {
+                changes.separated.push_back(slot);
+                continue;
+            }
+            const bool may_have_points = pair.nearness == BoundsNearness::Near;
+            contacts.awake_pairs[pair.place].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts);
+            note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
         }
-
-        ContactManifold& manifold = contacts.manifolds[slot];
-        const bool may_have_points = overlaps(expanded(a.tight, shapes.tolerances.speculative_distance), b.tight);
-        if (!may_have_points)
-        {
-            manifold.count = 0;
-            if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
-                keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
-        }
-        else if (contact.is_sensor)
-            manifold = overlap_pair(contact, bodies, shapes);
-        else
-            collide_pair(slot, bodies, shapes, contacts);
-
-        note_change(contact, manifold, slot, changes);
     }
 }
 

@@ -164,6 +164,49 @@ TEST_F(NarrowPhaseTest, the_sums_of_the_last_step_are_gone)
     EXPECT_EQ(manifold().total_rolling, 0);
 }
 
+TEST_F(NarrowPhaseTest, two_that_are_near_and_do_not_touch_are_idle_until_they_meet)
+{
+    const std::uint32_t other = scene.add({.position = {3.1f, 0.499f}}, box(1, 1));
+    const std::uint32_t beside = scene.touch(crate, other);
+    const auto is_idle = [&](std::uint32_t contact)
+    { return scene.contacts.awake_pairs[scene.contacts.contacts[contact].place_in_awake].is_idle; };
+    update();
+    EXPECT_TRUE(is_idle(beside));
+    EXPECT_FALSE(is_idle(slot)) << "it has points";
+
+    scene.place(other, {{2.99f, 0.499f}, {}});
+    update();
+    EXPECT_EQ(scene.contacts.manifolds[beside].count, 2);
+    EXPECT_FALSE(is_idle(beside));
+    scene.contacts.contacts[beside].color = 4;
+    scene.contacts.contacts[beside].is_touching = true;
+    scene.place(other, {{3.1f, 0.499f}, {}});
+    update();
+    EXPECT_EQ(changes.lost_points.size(), 1u);
+    EXPECT_FALSE(is_idle(beside)) << "the solver and the events have yet to be told";
+    scene.contacts.contacts[beside].color = no_color;
+    scene.contacts.contacts[beside].is_touching = false;
+    update();
+    EXPECT_TRUE(is_idle(beside));
+
+    scene.shapes.bounds[other].fat = {{5, 5}, {6, 6}};
+    update();
+    EXPECT_EQ(changes.separated.size(), 1u) << "idle or not, it goes when the fat bounds part";
+}
+
+TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)
+{
+    std::vector<std::uint32_t> expected = {slot};
+    for (int i = 0; i < 100; ++i)
+    {
+        const std::uint32_t body = scene.add({.position = {-4.5f + 0.05f * static_cast<float>(i), i % 3 == 0 ? 0.7f : 0.499f}}, box(1, 1));
+        const std::uint32_t contact = scene.touch(ground, body);
+        if (i % 3 != 0) expected.push_back(contact);
+    }
+    update();
+    EXPECT_EQ(std::vector<std::uint32_t>(changes.gained_points.begin(), changes.gained_points.end()), expected);
+}
+
 TEST_F(NarrowPhaseTest, forgetting_leaves_the_points_without_impulses)
 {
     update();

@@ -107,7 +107,7 @@ void reserve_for_edits(WorldState& world)
     make_room_for_bodies(world, world.bodies.records.size());
     world.bodies.make_room();
     world.shapes.make_room();
-    make_room(world.contacts.awake, world.contacts.contacts.size());
+    world.contacts.make_room_to_wake();
     make_room(world.events.joint_break, world.joints.joints.size());
 }
 

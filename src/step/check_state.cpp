@@ -135,6 +135,22 @@ private:
         }
         expect(live == world_.pairs.size(), "there is a contact for every pair", 0);
         expect(awake == contacts_.awake.size(), "awake contacts are listed", 0);
+        check_awake_pairs();
+    }
+
+    void check_awake_pairs()
+    {
+        expect(contacts_.awake_pairs.size() == contacts_.awake.size(), "an awake contact has a pair", 0);
+        for (std::size_t place = 0; place < contacts_.awake_pairs.size() && fault_.empty(); ++place)
+        {
+            const std::uint32_t slot = contacts_.awake[place];
+            const Contact& contact = contacts_.contacts[slot];
+            const AwakePair& pair = contacts_.awake_pairs[place];
+            expect(pair.shape_a == contact.shape_a && pair.shape_b == contact.shape_b, "an awake pair is that of its contact", slot);
+            const bool can_be_idle =
+                contacts_.manifolds[slot].count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting;
+            expect(!pair.is_idle || can_be_idle, "an idle contact has nothing to tell", slot);
+        }
     }
 
     void check_joints()

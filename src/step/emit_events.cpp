@@ -163,8 +163,10 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
     events.pending_contact_end.clear();
     events.pending_sensor_end.clear();
 
-    for (const std::uint32_t slot : contacts.awake)
+    for (std::size_t place = 0; place < contacts.awake.size(); ++place)
     {
+        if (contacts.awake_pairs[place].is_idle) continue;
+        const std::uint32_t slot = contacts.awake[place];
         Contact& contact = contacts.contacts[slot];
         const ContactManifold& manifold = contacts.manifolds[slot];
         if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;

@@ -2,6 +2,7 @@
 #include "solver/rows/contact_solver.hpp"
 
 #include "math/lane_array.hpp"
+#include "memory/fetch_lines.hpp"
 #include "solver/rows/body_lanes.hpp"
 
 #include <array>
@@ -107,18 +108,10 @@ private:
 /// How many contacts ahead their lines are fetched: those of one colour lie anywhere.
 constexpr std::size_t fetched_ahead = 6;
 
-template <class T>
-void fetch(const T& item)
-{
-    constexpr std::size_t line = 64;
-    const auto* const bytes = reinterpret_cast<const std::byte*>(&item);
-    for (std::size_t i = 0; i < sizeof(T); i += line) __builtin_prefetch(bytes + i);
-}
-
 void fetch(const ContactStore& contacts, std::uint32_t slot)
 {
-    fetch(contacts.contacts[slot]);
-    fetch(contacts.manifolds[slot]);
+    fetch_lines(contacts.contacts[slot]);
+    fetch_lines(contacts.manifolds[slot]);
 }
 
 /// The rows of one colour.
