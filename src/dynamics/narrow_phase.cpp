@@ -82,12 +82,11 @@ bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore
     return contact.neighborhood == Neighborhood::Shared;
 }
 
-/// Collides two shapes with what is remembered of the last time.
-LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, ContactManifold& manifold, const Transform& b_in_a,
+/// Collides two shapes.
+/// @param is_known whether what is remembered of them holds
+LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, bool is_known, const Transform& b_in_a,
                              const ShapeStore& shapes)
 {
-    const bool is_known = holds(memory, b_in_a);
-    if (is_known && memory.result == CollisionMemory::Result::Gap) return {};
     const Geometry& a = shapes.geometry[contact.shape_a];
     const Geometry& b = shapes.geometry[contact.shape_b];
     FaceSearch search = {
@@ -95,8 +94,6 @@ LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, Co
     const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
     if (!is_known || search.gap > 0)
         memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
-    manifold.rounding_a = rounding(a);
-    manifold.rounding_b = rounding(b);
     return local;
 }
 
@@ -107,7 +104,15 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
-    const LocalManifold alone = collide_shapes(contact, contacts.memories[slot], manifold, b_in_a, shapes);
+    CollisionMemory& memory = contacts.memories[slot];
+    const bool is_known = holds(memory, b_in_a);
+    const bool are_apart = is_known && memory.result == CollisionMemory::Result::Gap;
+    const LocalManifold alone = are_apart ? LocalManifold{} : collide_shapes(contact, memory, is_known, b_in_a, shapes);
+    if (!are_apart)
+    {
+        manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
+        manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
+    }
     if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
     write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);

@@ -18,9 +18,13 @@ namespace
 LocalManifold circle_contact(Vec2 center, Vec2 normal, float center_distance, float circle_radius, float other_radius, bool circle_is_a,
                              const Nearness& near)
 {
-    const float separation = center_distance - circle_radius - other_radius;
-    if (separation > near.margin) return no_contact(separation - near.margin, near.search);
     LocalManifold manifold;
+    const float separation = center_distance - circle_radius - other_radius;
+    if (separation > near.margin)
+    {
+        near.search.gap = separation - near.margin;
+        return manifold;
+    }
     manifold.normal = circle_is_a ? -normal : normal;
     manifold.count = 1;
     manifold.points[0].position = center - 0.5f * (center_distance + circle_radius - other_radius) * normal;

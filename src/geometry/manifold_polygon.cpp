@@ -292,6 +292,19 @@ float separation_of(const Face& face, const Face& facing)
     return std::min(dot(face.normal, facing.edge.v1 - face.edge.v1), dot(face.normal, facing.edge.v2 - face.edge.v1));
 }
 
+/// @param facing_a, facing_b the edges that face face_b and face_a
+LocalManifold collide_faces(const Face& face_a, const Face& facing_b, const Face& face_b, const Face& facing_a, Vec2 origin,
+                            const Nearness& near)
+{
+    const float reach = face_a.radius + face_b.radius + near.margin;
+    const float separation_a = separation_of(face_a, facing_b);
+    if (separation_a > reach) return no_contact(separation_a - reach, near.search);
+    const float separation_b = separation_of(face_b, facing_a);
+    if (separation_b > reach) return no_contact(separation_b - reach, near.search);
+    if (is_reference_b(separation_a, separation_b, near)) return touch(face_b, facing_a, separation_b, true, origin, near);
+    return touch(face_a, facing_b, separation_a, false, origin, near);
+}
+
 /// The same as collide_hulls() with what it has found.
 template <class A, class B>
 LocalManifold collide_known(const A& a, const B& b, Vec2 origin, const Transform& b_in_a, const Nearness& near)
@@ -299,17 +312,12 @@ LocalManifold collide_known(const A& a, const B& b, Vec2 origin, const Transform
     const FaceSearch& known = near.search;
     const ShiftOnly at_a = {origin};
     const MoveAndShift at_b(b_in_a, origin);
-    const float reach = a.radius + b.radius + near.margin;
     const Face face_a = face_of(a, known.face_a, at_a);
-    const Face facing_b = face_of(b, known.facing_b, at_b);
-    const float separation_a = separation_of(face_a, facing_b);
-    if (separation_a > reach) return no_contact(separation_a - reach, near.search);
     const Face face_b = face_of(b, known.face_b, at_b);
-    const Face facing_a = face_of(a, known.facing_a, at_a);
-    const float separation_b = separation_of(face_b, facing_a);
-    if (separation_b > reach) return no_contact(separation_b - reach, near.search);
-    if (is_reference_b(separation_a, separation_b, near)) return touch(face_b, facing_a, separation_b, true, origin, near);
-    return touch(face_a, facing_b, separation_a, false, origin, near);
+    // Of shapes that lie on each other, each one's face is the edge that faces the other's.
+    if (known.facing_a == known.face_a && known.facing_b == known.face_b)
+        return collide_faces(face_a, face_b, face_b, face_a, origin, near);
+    return collide_faces(face_a, face_of(b, known.facing_b, at_b), face_b, face_of(a, known.facing_a, at_a), origin, near);
 }
 
 template <int blocks, class A, class B>
