@@ -135,7 +135,13 @@ void Shape::set_density(float density)
     detail::refresh_mass(*world_, world_->shapes.records[shape].body);
 }
 
-void Shape::set_hit_events(bool hit_events) { world_->shapes.records[editable(*world_, id_, "set_hit_events")].hit_events = hit_events; }
+void Shape::set_hit_events(bool hit_events)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_hit_events");
+    world_->shapes.records[shape].hit_events = hit_events;
+    for_each_contact_of_shape(*world_, shape,
+                              [&](std::uint32_t slot) { detail::refresh_wishes(world_->contacts.contacts[slot], world_->shapes); });
+}
 
 void Shape::set_pre_solve(bool pre_solve)
 {

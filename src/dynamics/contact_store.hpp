@@ -49,9 +49,11 @@ struct Contact
     bool is_disabled = false;   ///< by a hook, for this step
     bool is_overridden = false; ///< a hook may have changed the surface for a step
     Neighborhood neighborhood = Neighborhood::Unknown;
-    std::uint32_t search = 0; ///< the search for pairs that found it
-    float last_normal = 0;    ///< impulse of the last step in which it touched [N s]
-    float last_tangent = 0;   ///< the same along the surface [N s]
+    bool wants_persist = false; ///< one of its shapes asks for the events of each step
+    bool wants_hits = false;    ///< one of them asks for hits
+    std::uint32_t search = 0;   ///< the search for pairs that found it
+    float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
+    float last_tangent = 0;     ///< the same along the surface [N s]
 };
 
 /// One point of a contact as the solver leaves it for the next step.
