@@ -30,28 +30,27 @@ CollisionMemory remember(const FaceSearch& search, const Searched& a, const Sear
     const Vec2 middle_b = b_in_a * b.extent.middle;
     memory.made_at = b_in_a;
     memory.arm = (b_is_smaller ? middle_b : middle_a) - b_in_a.p;
+    float most_turn = std::numeric_limits<float>::max();
     if (search.gap > 0)
     {
         memory.result = CollisionMemory::Result::Gap;
         memory.radius = std::holds_alternative<Circle>(smaller.geometry) ? 0 : smaller.extent.outer;
         memory.allowed = search.gap;
-        memory.turn = std::numeric_limits<float>::max();
     }
     else
     {
         memory.result = CollisionMemory::Result::Faces;
         memory.radius = distance(middle_a, middle_b) + std::max(a.extent.outer, b.extent.outer); // all corners of both
         memory.allowed = 0.5f * search.lead;
-        memory.face_a = search.face_a;
-        memory.turn = 0.5f * search.turn_lead - least_turn_lead;
-        memory.face_b = search.face_b;
-        memory.facing_a = search.facing_a;
-        memory.facing_b = search.facing_b;
+        most_turn = 0.5f * search.turn_lead - least_turn_lead;
+        memory.faces_a = static_cast<std::uint8_t>(search.face_a + 16 * search.facing_a);
+        memory.faces_b = static_cast<std::uint8_t>(search.face_b + 16 * search.facing_b);
     }
     // Above the rounding of everything that is compared; more than a hundred times of a float's last digit.
     constexpr float rounding_share = 1e-5f;
     memory.allowed -= rounding_share * (l1_norm(b_in_a.p) + l1_norm(memory.arm) + memory.radius);
-    if (memory.allowed <= 0) memory.result = CollisionMemory::Result::Nothing;
+    if (memory.allowed <= 0 || most_turn <= 0) memory.result = CollisionMemory::Result::Nothing;
+    if (memory.allowed > most_turn * memory.radius) memory.radius = memory.allowed / most_turn;
     return memory;
 }
 

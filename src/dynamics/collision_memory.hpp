@@ -32,15 +32,24 @@ struct CollisionMemory
 
     Transform made_at; ///< T0
     Vec2 arm;          ///< from p0 to m, in A's frame [m]
-    float radius = 0;  ///< R [m]
+    float radius = 0;  ///< R, or more where B may not turn by as much as points may move [m]
     float allowed = 0; ///< how far points may move [m]
-    float turn = 0;    ///< how far B may turn: |Q - I|
     Result result = Result::Nothing;
-    std::uint8_t face_a = 0;
-    std::uint8_t face_b = 0;
-    std::uint8_t facing_a = 0;
-    std::uint8_t facing_b = 0;
+    std::uint8_t faces_a = 0; ///< of A: its face, and 16 times the edge that faces B's
+    std::uint8_t faces_b = 0;
 };
+
+/// What collide() is told of a search that holds.
+inline FaceSearch known_faces(const CollisionMemory& memory)
+{
+    const auto face = [](std::uint8_t faces) { return static_cast<std::uint8_t>(faces & 15); };
+    const auto facing = [](std::uint8_t faces) { return static_cast<std::uint8_t>(faces >> 4); };
+    return {.are_known = true,
+            .face_a = face(memory.faces_a),
+            .face_b = face(memory.faces_b),
+            .facing_a = facing(memory.faces_a),
+            .facing_b = facing(memory.faces_b)};
+}
 
 /// Whether the result of the search still holds.
 inline bool holds(const CollisionMemory& memory, const Transform& b_in_a)
@@ -48,11 +57,10 @@ inline bool holds(const CollisionMemory& memory, const Transform& b_in_a)
     if (memory.result == CollisionMemory::Result::Nothing) return false;
     const Rot turn = relative(memory.made_at.q, b_in_a.q);
     const float less = turn.c - 1;
-    const float turned = std::abs(turn.s) - less; // at least |Q - I|
-    const float rest = memory.allowed - turned * memory.radius;
+    const float rest = memory.allowed - (std::abs(turn.s) - less) * memory.radius; // |s| + |c - 1| is at least |Q - I|
     const Vec2 arm = memory.arm;
     const Vec2 way = b_in_a.p - memory.made_at.p + Vec2{less * arm.x - turn.s * arm.y, turn.s * arm.x + less * arm.y};
-    return rest >= 0 && turned <= memory.turn && length_squared(way) <= rest * rest;
+    return rest >= 0 && length_squared(way) <= rest * rest;
 }
 
 /// One of two shapes that were searched.

@@ -29,7 +29,7 @@ CollisionMemory remembered(const Geometry& a, const Geometry& b, const Transform
 LocalManifold collide_from_memory(const CollisionMemory& memory, const Geometry& a, const Geometry& b, const Transform& b_in_a)
 {
     if (memory.result == CollisionMemory::Result::Gap) return {};
-    FaceSearch search = {true, memory.face_a, memory.face_b, memory.facing_a, memory.facing_b};
+    FaceSearch search = known_faces(memory);
     return collide_with(a, b, b_in_a, search);
 }
 

@@ -48,7 +48,7 @@ void ContactStore::wake(std::uint32_t slot)
     if (contacts[slot].place_in_awake != null_index) return;
     contacts[slot].place_in_awake = static_cast<std::uint32_t>(awake.size());
     awake.push_back(slot);
-    awake_pairs.push_back({contacts[slot].shape_a, contacts[slot].shape_b, false});
+    awake_pairs.push_back({contacts[slot].shape_a, contacts[slot].shape_b & 0x7fffffffu, 0});
 }
 
 void ContactStore::put_to_sleep(std::uint32_t slot)

@@ -88,9 +88,9 @@ struct ContactManifold
 struct AwakePair
 {
     std::uint32_t shape_a;
-    std::uint32_t shape_b;
+    std::uint32_t shape_b : 31;
     /// No points, no colour, nothing that events told, and no surface beyond the two shapes: while their bounds are apart, it stays so.
-    bool is_idle;
+    std::uint32_t is_idle : 1;
 };
 
 /// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The

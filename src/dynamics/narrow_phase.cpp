@@ -89,8 +89,7 @@ LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, bo
 {
     const Geometry& a = shapes.geometry[contact.shape_a];
     const Geometry& b = shapes.geometry[contact.shape_b];
-    FaceSearch search = {
-        .are_known = is_known, .face_a = memory.face_a, .face_b = memory.face_b, .facing_a = memory.facing_a, .facing_b = memory.facing_b};
+    FaceSearch search = is_known ? known_faces(memory) : FaceSearch{};
     const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
     if (!is_known || search.gap > 0)
         memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
@@ -243,7 +242,7 @@ void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, Contact
                 continue;
             }
             const bool may_have_points = pair.nearness == BoundsNearness::Near;
-            contacts.awake_pairs[pair.place].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts);
+            contacts.awake_pairs[pair.place].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts) ? 1 : 0;
             note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
         }
     }
