@@ -111,6 +111,7 @@ void Shape::set_geometry(const Geometry& geometry)
     detail::wake_with_neighbors(*world_, body);
     detail::review_contacts(*world_, body);
     world_->shapes.geometry[shape] = geometry;
+    world_->shapes.extents[shape] = detail::extent_of(geometry);
     if (world_->bodies.records[body].is_enabled)
         detail::renew_proxy(*world_, shape);
     else
@@ -120,6 +121,7 @@ void Shape::set_geometry(const Geometry& geometry)
     {
         detail::mix_again(*world_, slot);
         detail::forget_impulses(world_->contacts.manifolds[slot]);
+        world_->contacts.memories[slot] = {};
     });
     detail::refresh_mass(*world_, body);
 }
@@ -133,7 +135,13 @@ void Shape::set_density(float density)
     detail::refresh_mass(*world_, world_->shapes.records[shape].body);
 }
 
-void Shape::set_hit_events(bool hit_events) { world_->shapes.records[editable(*world_, id_, "set_hit_events")].hit_events = hit_events; }
+void Shape::set_hit_events(bool hit_events)
+{
+    const std::uint32_t shape = editable(*world_, id_, "set_hit_events");
+    world_->shapes.records[shape].hit_events = hit_events;
+    for_each_contact_of_shape(*world_, shape,
+                              [&](std::uint32_t slot) { detail::refresh_wishes(world_->contacts.contacts[slot], world_->shapes); });
+}
 
 void Shape::set_pre_solve(bool pre_solve)
 {

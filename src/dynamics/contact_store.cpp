@@ -12,12 +12,15 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
     make_room(contacts, contacts.size() + 1);
     make_room(manifolds, contacts.size() + 1);
+    make_room(memories, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
+    make_room(awake_pairs, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
         contacts.emplace_back();
         manifolds.emplace_back();
+        memories.emplace_back();
     }
     contacts[slot] = pair;
     contacts[slot].is_live = true;
@@ -25,6 +28,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};
+    memories[slot] = {};
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
     link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);
     return slot;
@@ -44,6 +48,7 @@ void ContactStore::wake(std::uint32_t slot)
     if (contacts[slot].place_in_awake != null_index) return;
     contacts[slot].place_in_awake = static_cast<std::uint32_t>(awake.size());
     awake.push_back(slot);
+    awake_pairs.push_back({contacts[slot].shape_a, contacts[slot].shape_b & 0x7fffffffu, 0});
 }
 
 void ContactStore::put_to_sleep(std::uint32_t slot)
@@ -54,6 +59,8 @@ void ContactStore::put_to_sleep(std::uint32_t slot)
     awake[place] = last;
     contacts[last].place_in_awake = place;
     awake.pop_back();
+    awake_pairs[place] = awake_pairs.back();
+    awake_pairs.pop_back();
     contacts[slot].place_in_awake = null_index;
 }
 
@@ -62,8 +69,16 @@ void ContactStore::shrink()
     slots.drop_tail();
     cut(contacts, slots.size());
     cut(manifolds, slots.size());
+    cut(memories, slots.size());
     cut(awake, awake.size());
-    make_room(awake, contacts.size()); // so that waking never allocates
+    cut(awake_pairs, awake_pairs.size());
+    make_room_to_wake();
+}
+
+void ContactStore::make_room_to_wake()
+{
+    make_room(awake, contacts.size());
+    make_room(awake_pairs, contacts.size());
 }
 
 void ContactStore::reserve(std::size_t count)
@@ -71,7 +86,9 @@ void ContactStore::reserve(std::size_t count)
     slots.reserve(count);
     contacts.reserve(count);
     manifolds.reserve(count);
+    memories.reserve(count);
     awake.reserve(count);
+    awake_pairs.reserve(count);
 }
 
 } // namespace carom::detail

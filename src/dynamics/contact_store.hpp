@@ -1,6 +1,7 @@
 // Contacts: one for every pair of shapes whose fattened bounds overlap and that may meet, sensors included.
 #pragma once
 
+#include "dynamics/collision_memory.hpp"
 #include "dynamics/slot_pool.hpp"
 
 #include <carom/math.hpp>
@@ -16,6 +17,14 @@ namespace carom::detail
 class BodyStore;
 
 inline constexpr std::uint8_t no_color = 255;
+
+/// Whether anything but the two shapes may change a contact.
+enum class Neighborhood : std::uint8_t
+{
+    Unknown,
+    Empty, ///< each is the only shape of a dynamic body, and no one-sided segment
+    Shared
+};
 
 /// Who meets whom, and how their surfaces mix. Shape A has the lower index.
 struct Contact
@@ -39,6 +48,9 @@ struct Contact
     bool is_hitting = false;    ///< was pushed faster than the hit speed in the last step
     bool is_disabled = false;   ///< by a hook, for this step
     bool is_overridden = false; ///< a hook may have changed the surface for a step
+    Neighborhood neighborhood = Neighborhood::Unknown;
+    bool wants_persist = false; ///< one of its shapes asks for the events of each step
+    bool wants_hits = false;    ///< one of them asks for hits
     std::uint32_t search = 0;   ///< the search for pairs that found it
     float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
     float last_tangent = 0;     ///< the same along the surface [N s]
@@ -72,17 +84,36 @@ struct ContactManifold
     std::array<ContactPointState, 2> points;
 };
 
+/// What a step reads first of an awake contact: most pairs of a crowd are near and do not touch, and need nothing else.
+struct AwakePair
+{
+    std::uint32_t shape_a;
+    std::uint32_t shape_b : 31;
+    /// No points, no colour, nothing that events told, and no surface beyond the two shapes: while their bounds are apart, it stays so.
+    std::uint32_t is_idle : 1;
+};
+
 /// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The
 /// contacts of a body form a list of edges (dynamics/edge_list.hpp).
 class ContactStore
 {
 public:
-    explicit ContactStore(std::pmr::memory_resource& memory) : slots(memory), contacts(&memory), manifolds(&memory), awake(&memory) {}
+    explicit ContactStore(std::pmr::memory_resource& memory)
+        : slots(memory),
+          contacts(&memory),
+          manifolds(&memory),
+          memories(&memory),
+          awake(&memory),
+          awake_pairs(&memory)
+    {
+    }
 
     /// Awake, whoever its bodies are: the next update looks at it. Changes nothing when memory runs out.
     std::uint32_t create(const Contact& pair, BodyStore& bodies);
     void destroy(std::uint32_t slot, BodyStore& bodies);
     void reserve(std::size_t count);
+    /// Room to wake every contact: what create() sees to, and a copy of the arrays does not bring along.
+    void make_room_to_wake();
     /// Gives back the memory of what lies behind the last contact, and spare room.
     void shrink();
     /// Contacts that are made from now on are new; those from before no longer.
@@ -95,7 +126,9 @@ public:
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
-    std::pmr::vector<std::uint32_t> awake; ///< slots, in an order that only the history of the world decides
+    std::pmr::vector<CollisionMemory> memories;
+    std::pmr::vector<std::uint32_t> awake;   ///< slots, in an order that only the history of the world decides
+    std::pmr::vector<AwakePair> awake_pairs; ///< of the awake contacts, in the same order
 
 private:
     std::uint32_t search_ = 0; ///< the last one's number; turns over after years, when no pair of that time is left

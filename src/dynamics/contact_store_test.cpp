@@ -56,6 +56,12 @@ TEST(ContactStore, ListsOfBodiesAgreeWithAMapWhateverComesAndGoes)
             EXPECT_FALSE(contacts.contacts[victim->first].is_live);
             live.erase(victim);
         }
+        ASSERT_EQ(contacts.awake_pairs.size(), contacts.awake.size());
+        for (std::size_t place = 0; place < contacts.awake.size(); ++place)
+        {
+            ASSERT_EQ(contacts.awake_pairs[place].shape_a, live.at(contacts.awake[place]).first);
+            ASSERT_EQ(contacts.awake_pairs[place].shape_b, live.at(contacts.awake[place]).second);
+        }
         for (std::uint32_t body = 0; body < 6; ++body)
         {
             std::set<std::uint32_t> expected;
@@ -78,12 +84,14 @@ TEST(ContactStore, AUsedPlaceStartsCold)
     contacts.contacts[slot].is_touching = true;
     contacts.manifolds[slot].count = 2;
     contacts.manifolds[slot].carried_impulse = 7;
+    contacts.memories[slot].result = CollisionMemory::Result::Gap;
     contacts.destroy(slot, bodies);
     ASSERT_EQ(contacts.create(pair, bodies), slot);
     EXPECT_EQ(contacts.contacts[slot].color, no_color);
     EXPECT_FALSE(contacts.contacts[slot].is_touching);
     EXPECT_EQ(contacts.manifolds[slot].count, 0);
     EXPECT_EQ(contacts.manifolds[slot].carried_impulse, 0);
+    EXPECT_EQ(contacts.memories[slot].result, CollisionMemory::Result::Nothing);
 }
 
 } // namespace

@@ -135,6 +135,7 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
             .shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
         contact.is_sensor = judge_pair(shapes, bodies, joints, pair).is_sensor;
         mix_materials(contact, shapes, rules);
+        refresh_wishes(contact, shapes);
         contacts.create(contact, bodies);
         known.insert(pair);
         any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));

@@ -1,4 +1,4 @@
-// Calls the geometry's collide() for each contact and matches new points with old ones.
+// Calls the geometry's collide() for each contact with what it remembers of the last time, and matches new points with old ones.
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/internal_edges.hpp"
@@ -6,7 +6,10 @@
 #include "geometry/distance.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
+#include "memory/fetch_lines.hpp"
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 namespace carom::detail
@@ -16,11 +19,11 @@ namespace
 {
 
 /// The impulses of the old point that the same features made, or none.
-void keep_impulses(ContactPointState& point, const ContactManifold& old)
+void keep_impulses(ContactPointState& point, std::span<const ContactPointState> old)
 {
-    for (int i = 0; i < old.count; ++i)
+    point.normal_impulse = point.tangent_impulse = 0;
+    for (const ContactPointState& before : old)
     {
-        const ContactPointState& before = old.points[static_cast<std::size_t>(i)];
         if (before.feature != point.feature) continue;
         point.normal_impulse = before.normal_impulse;
         point.tangent_impulse = before.tangent_impulse;
@@ -28,26 +31,32 @@ void keep_impulses(ContactPointState& point, const ContactManifold& old)
     }
 }
 
-ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const ContactStore& contacts,
-                             const ContactManifold& old)
+/// Gives the manifold the features of new points; points that go on keep their impulses.
+void match_points(ContactManifold& manifold, const LocalManifold& local)
 {
-    const BodyPose& pose_a = bodies.poses[contact.body_a];
-    const BodyPose& pose_b = bodies.poses[contact.body_b];
-    const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
-    const LocalManifold alone = collide(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances);
-    const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
-    const LocalManifold local = without_internal_edges(in_front, contact, bodies, shapes, contacts);
-
-    ContactManifold manifold;
-    manifold.count = local.count;
-    manifold.normal = rotate(pose_a.transform.q, local.normal);
-    if (local.count > 0)
+    const auto goes_on = [&](std::size_t i) { return manifold.points[i].feature == local.points[i].feature; };
+    if (manifold.count == local.count && goes_on(0) && (local.count == 1 || goes_on(1))) return;
+    const std::array<ContactPointState, 2> old = manifold.points;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
-        manifold.rolling_impulse = old.rolling_impulse;
-        manifold.carried_impulse = old.carried_impulse;
+        manifold.points[i].feature = local.points[i].feature;
+        keep_impulses(manifold.points[i], std::span(old).first(static_cast<std::size_t>(manifold.count)));
     }
-    manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
-    manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
+    manifold.count = local.count;
+}
+
+/// Writes a contact as it is now. The sums over the last step are gone.
+void write(ContactManifold& manifold, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
+{
+    manifold.normal = rotate(pose_a.transform.q, local.normal);
+    manifold.total_rolling = 0;
+    if (local.count == 0)
+    {
+        manifold.count = 0;
+        manifold.rolling_impulse = manifold.carried_impulse = 0;
+        return;
+    }
+    match_points(manifold, local);
     const Vec2 centers = pose_b.center - pose_a.center;
     for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
@@ -56,10 +65,56 @@ ContactManifold collide_pair(Contact& contact, const BodyStore& bodies, const Sh
         point.r_b = point.r_a - centers;
         point.position = pose_a.center + point.r_a;
         point.separation = local.points[i].separation;
-        point.feature = local.points[i].feature;
-        keep_impulses(point, old);
+        point.total_normal = point.total_tangent = point.normal_velocity = 0;
     }
-    return manifold;
+}
+
+/// Looks at the surroundings of a contact when they are not known.
+bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
+{
+    const auto is_alone = [&](std::uint32_t shape, std::uint32_t body)
+    { return !shapes.records[shape].is_one_sided && bodies.is_dynamic(body) && bodies.records[body].shape_count == 1; };
+    if (contact.neighborhood == Neighborhood::Unknown)
+    {
+        const bool are_alone = is_alone(contact.shape_a, contact.body_a) && is_alone(contact.shape_b, contact.body_b);
+        contact.neighborhood = are_alone ? Neighborhood::Empty : Neighborhood::Shared;
+    }
+    return contact.neighborhood == Neighborhood::Shared;
+}
+
+/// Collides two shapes.
+/// @param is_known whether what is remembered of them holds
+LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, bool is_known, const Transform& b_in_a,
+                             const ShapeStore& shapes)
+{
+    const Geometry& a = shapes.geometry[contact.shape_a];
+    const Geometry& b = shapes.geometry[contact.shape_b];
+    FaceSearch search = is_known ? known_faces(memory) : FaceSearch{};
+    const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
+    if (!is_known || search.gap > 0)
+        memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
+    return local;
+}
+
+void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
+{
+    Contact& contact = contacts.contacts[slot];
+    ContactManifold& manifold = contacts.manifolds[slot];
+    const BodyPose& pose_a = bodies.poses[contact.body_a];
+    const BodyPose& pose_b = bodies.poses[contact.body_b];
+    const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
+    CollisionMemory& memory = contacts.memories[slot];
+    const bool is_known = holds(memory, b_in_a);
+    const bool are_apart = is_known && memory.result == CollisionMemory::Result::Gap;
+    const LocalManifold alone = are_apart ? LocalManifold{} : collide_shapes(contact, memory, is_known, b_in_a, shapes);
+    if (!are_apart)
+    {
+        manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
+        manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
+    }
+    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
+    const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
+    write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
 }
 
 ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
@@ -70,12 +125,77 @@ ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, co
     return manifold;
 }
 
+/// @return whether the contact is idle now (AwakePair)
+bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
+{
+    Contact& contact = contacts.contacts[slot];
+    ContactManifold& manifold = contacts.manifolds[slot];
+    if (!may_have_points)
+    {
+        manifold.count = 0;
+        if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
+            keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
+    }
+    else if (contact.is_sensor)
+        manifold = overlap_pair(contact, bodies, shapes);
+    else
+        collide_pair(slot, bodies, shapes, contacts);
+    return manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
+           contact.neighborhood == Neighborhood::Empty;
+}
+
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
 {
     const bool has_points = manifold.count > 0;
     const bool has_color = contact.color != no_color;
     if (has_points && !has_color && !contact.is_sensor) changes.gained_points.push_back(slot);
     if (!has_points && has_color) changes.lost_points.push_back(slot);
+}
+
+/// How the bounds of two shapes lie to each other.
+enum class BoundsNearness : std::uint8_t
+{
+    Separated, ///< the fat ones have parted
+    Apart,     ///< the tight ones are farther apart than contacts are made
+    Near
+};
+
+BoundsNearness nearness_of(const ShapeBounds& a, const ShapeBounds& b, float margin)
+{
+    if (!overlaps(a.fat, b.fat)) return BoundsNearness::Separated;
+    return overlaps(expanded(a.tight, margin), b.tight) ? BoundsNearness::Near : BoundsNearness::Apart;
+}
+
+/// An awake contact that has to be updated.
+struct NearPair
+{
+    std::uint32_t place; ///< in the list of awake contacts
+    BoundsNearness nearness;
+};
+
+/// So many contacts are looked at before the first of them is updated: by then its lines have come from memory.
+constexpr std::size_t block_size = 32;
+
+/// The contacts of a part of the list of awake ones that have to be updated.
+/// @param near room for a block
+std::span<const NearPair> look_at_bounds(std::size_t begin, std::size_t end, const ShapeStore& shapes, const ContactStore& contacts,
+                                         std::span<NearPair> near)
+{
+    std::size_t count = 0;
+    for (std::size_t place = begin; place < end; ++place)
+    {
+        const AwakePair& pair = contacts.awake_pairs[place];
+        const BoundsNearness nearness =
+            nearness_of(shapes.bounds[pair.shape_a], shapes.bounds[pair.shape_b], shapes.tolerances.speculative_distance);
+        if (nearness == BoundsNearness::Apart && pair.is_idle) continue;
+        near[count++] = {static_cast<std::uint32_t>(place), nearness};
+        const std::uint32_t slot = contacts.awake[place];
+        fetch_lines(contacts.contacts[slot]);
+        if (nearness != BoundsNearness::Near) continue;
+        fetch_lines(contacts.memories[slot]);
+        fetch_lines(contacts.manifolds[slot]);
+    }
+    return near.first(count);
 }
 
 } // namespace
@@ -109,31 +229,22 @@ void forget_impulses(ContactManifold& manifold)
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
+    std::array<NearPair, block_size> near;
+    for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {
-        Contact& contact = contacts.contacts[slot];
-
-        const ShapeBounds& a = shapes.bounds[contact.shape_a];
-        const ShapeBounds& b = shapes.bounds[contact.shape_b];
-        if (!overlaps(a.fat, b.fat))
+        const std::size_t end = std::min(begin + block_size, contacts.awake.size());
+        for (const NearPair& pair : look_at_bounds(begin, end, shapes, contacts, near))
         {
-            changes.separated.push_back(slot);
-            continue;
+            const std::uint32_t slot = contacts.awake[pair.place];
+            if (pair.nearness == BoundsNearness::Separated)
+            {
+                changes.separated.push_back(slot);
+                continue;
+            }
+            const bool may_have_points = pair.nearness == BoundsNearness::Near;
+            contacts.awake_pairs[pair.place].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts) ? 1 : 0;
+            note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
         }
-
-        ContactManifold& manifold = contacts.manifolds[slot];
-        const bool may_have_points = overlaps(expanded(a.tight, shapes.tolerances.speculative_distance), b.tight);
-        if (!may_have_points)
-        {
-            manifold.count = 0;
-            if (!contact.is_sensor) keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
-        }
-        else if (contact.is_sensor)
-            manifold = overlap_pair(contact, bodies, shapes);
-        else
-            manifold = collide_pair(contact, bodies, shapes, contacts, manifold);
-
-        note_change(contact, manifold, slot, changes);
     }
 }
 

@@ -34,7 +34,7 @@ bool is_separated(const Contact& contact, const ShapeStore& shapes);
 /// Starts a contact cold: its shapes are no longer those that made its points.
 void forget_impulses(ContactManifold& manifold);
 
-/// Collides the shapes of awake contacts anew; points made by the same features keep their impulses.
+/// Collides the shapes of awake contacts; points made by the same features keep their impulses.
 /// @param first where in the list of awake contacts to begin
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first,
                       ContactChanges& changes);

@@ -1,8 +1,11 @@
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/dynamics_test.hpp"
+#include "geometry/random_shapes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace carom::detail::narrow_phase_test
 {
@@ -116,6 +119,92 @@ TEST_F(NarrowPhaseTest, only_contacts_from_the_first_on_are_looked_at)
 {
     update_manifolds(scene.bodies, scene.shapes, scene.contacts, 1, changes);
     EXPECT_EQ(manifold().count, 0);
+}
+
+TEST_F(NarrowPhaseTest, what_is_remembered_of_shapes_does_not_show)
+{
+    RandomShapes random(3);
+    const std::uint32_t other = scene.add({.position = {3, 0.5f}}, box(0.8f, 1));
+    const std::uint32_t beside = scene.touch(crate, other);
+    int touching = 0;
+    for (int i = 0; i < 400; ++i)
+    {
+        scene.place(crate,
+                    {{2 + random.uniform(-0.05f, 0.05f), 0.5f + random.uniform(-0.01f, 0.05f)}, rotation(random.uniform(-0.1f, 0.1f))});
+        scene.place(other, {{2.95f + random.uniform(-0.05f, 0.1f), 0.5f}, rotation(random.uniform(-0.1f, 0.1f))});
+        update();
+        const std::vector<ContactManifold> now(scene.contacts.manifolds.begin(), scene.contacts.manifolds.end());
+        for (CollisionMemory& memory : scene.contacts.memories) memory = {};
+        update();
+        for (const std::uint32_t contact : {slot, beside})
+        {
+            const ContactManifold& expected = scene.contacts.manifolds[contact];
+            ASSERT_EQ(now[contact].count, expected.count);
+            if (expected.count == 0) continue;
+            ++touching;
+            EXPECT_EQ(now[contact].normal, expected.normal);
+            for (std::size_t p = 0; p < static_cast<std::size_t>(expected.count); ++p)
+            {
+                EXPECT_EQ(now[contact].points[p].r_a, expected.points[p].r_a);
+                EXPECT_EQ(now[contact].points[p].separation, expected.points[p].separation);
+                EXPECT_EQ(now[contact].points[p].feature, expected.points[p].feature);
+            }
+        }
+    }
+    EXPECT_GT(touching, 300);
+}
+
+TEST_F(NarrowPhaseTest, the_sums_of_the_last_step_are_gone)
+{
+    update();
+    manifold().points[0].total_normal = manifold().points[0].total_tangent = manifold().points[0].normal_velocity = 3;
+    manifold().total_rolling = 4;
+    update();
+    EXPECT_EQ(manifold().points[0].total_normal + manifold().points[0].total_tangent + manifold().points[0].normal_velocity, 0);
+    EXPECT_EQ(manifold().total_rolling, 0);
+}
+
+TEST_F(NarrowPhaseTest, two_that_are_near_and_do_not_touch_are_idle_until_they_meet)
+{
+    const std::uint32_t other = scene.add({.position = {3.1f, 0.499f}}, box(1, 1));
+    const std::uint32_t beside = scene.touch(crate, other);
+    const auto is_idle = [&](std::uint32_t contact)
+    { return scene.contacts.awake_pairs[scene.contacts.contacts[contact].place_in_awake].is_idle; };
+    update();
+    EXPECT_TRUE(is_idle(beside));
+    EXPECT_FALSE(is_idle(slot)) << "it has points";
+
+    scene.place(other, {{2.99f, 0.499f}, {}});
+    update();
+    EXPECT_EQ(scene.contacts.manifolds[beside].count, 2);
+    EXPECT_FALSE(is_idle(beside));
+    scene.contacts.contacts[beside].color = 4;
+    scene.contacts.contacts[beside].is_touching = true;
+    scene.place(other, {{3.1f, 0.499f}, {}});
+    update();
+    EXPECT_EQ(changes.lost_points.size(), 1u);
+    EXPECT_FALSE(is_idle(beside)) << "the solver and the events have yet to be told";
+    scene.contacts.contacts[beside].color = no_color;
+    scene.contacts.contacts[beside].is_touching = false;
+    update();
+    EXPECT_TRUE(is_idle(beside));
+
+    scene.shapes.bounds[other].fat = {{5, 5}, {6, 6}};
+    update();
+    EXPECT_EQ(changes.separated.size(), 1u) << "idle or not, it goes when the fat bounds part";
+}
+
+TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)
+{
+    std::vector<std::uint32_t> expected = {slot};
+    for (int i = 0; i < 100; ++i)
+    {
+        const std::uint32_t body = scene.add({.position = {-4.5f + 0.05f * static_cast<float>(i), i % 3 == 0 ? 0.7f : 0.499f}}, box(1, 1));
+        const std::uint32_t contact = scene.touch(ground, body);
+        if (i % 3 != 0) expected.push_back(contact);
+    }
+    update();
+    EXPECT_EQ(std::vector<std::uint32_t>(changes.gained_points.begin(), changes.gained_points.end()), expected);
 }
 
 TEST_F(NarrowPhaseTest, forgetting_leaves_the_points_without_impulses)

@@ -1,6 +1,7 @@
 // Adds and removes shapes, and keeps the list of those that moved.
 #include "dynamics/shape_store.hpp"
 
+#include "dynamics/contact_store.hpp"
 #include "memory/make_room.hpp"
 
 #include <algorithm>
@@ -105,6 +106,14 @@ Aabb fattened(const Aabb& tight, Vec2 way, float max_margin)
     const Aabb still = expanded(tight, margin);
     return {{still.min.x + std::min(way.x, 0.0f), still.min.y + std::min(way.y, 0.0f)},
             {still.max.x + std::max(way.x, 0.0f), still.max.y + std::max(way.y, 0.0f)}};
+}
+
+void refresh_wishes(Contact& contact, const ShapeStore& shapes)
+{
+    const ShapeRecord& a = shapes.records[contact.shape_a];
+    const ShapeRecord& b = shapes.records[contact.shape_b];
+    contact.wants_persist = a.persist_events || b.persist_events;
+    contact.wants_hits = a.hit_events || b.hit_events;
 }
 
 bool should_collide(const Filter& a, const Filter& b)

@@ -15,6 +15,8 @@
 namespace carom::detail
 {
 
+struct Contact;
+
 /// What the hot loops don't read of a shape, by slot.
 struct ShapeRecord
 {
@@ -90,6 +92,9 @@ public:
 /// @param way        where the body goes in the near future [m]: the margin follows the velocity
 /// @param max_margin Tolerances::max_bounds_margin [m]
 Aabb fattened(const Aabb& tight, Vec2 way, float max_margin);
+
+/// Makes what a contact tells of itself follow the wishes of its shapes.
+void refresh_wishes(Contact& contact, const ShapeStore& shapes);
 
 /// Whether two shapes may meet at all.
 bool should_collide(const Filter& a, const Filter& b);

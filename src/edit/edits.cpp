@@ -10,6 +10,7 @@
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
 #include "solver/rows/graph_colors.hpp"
+#include "state/walks.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -106,7 +107,7 @@ void reserve_for_edits(WorldState& world)
     make_room_for_bodies(world, world.bodies.records.size());
     world.bodies.make_room();
     world.shapes.make_room();
-    make_room(world.contacts.awake, world.contacts.contacts.size());
+    world.contacts.make_room_to_wake();
     make_room(world.events.joint_break, world.joints.joints.size());
 }
 
@@ -145,6 +146,9 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
     without_proxy.dismiss();
 
     link_shape(world, body, shape);
+    if (world.bodies.records[body].shape_count == 2) // it is no longer alone
+        for_each_contact(world, body, [&](std::uint32_t contact, std::uint32_t)
+        { world.contacts.contacts[contact].neighborhood = Neighborhood::Unknown; });
     MassData& mass = world.bodies.records[body].shapes_mass;
     mass = combined(mass, mass_from(stored, def.density));
     wake_body(world, body);

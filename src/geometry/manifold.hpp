@@ -28,11 +28,37 @@ struct LocalManifold
     int count = 0;
 };
 
+/// What collide() searches for, and what spares it the next search.
+///
+/// Of two polygons, or a polygon and a capsule or segment, it looks for the face of each that separates it best from the other, and for the
+/// edges that face these. When they are known, the contact is the same to the bit without that search.
+struct FaceSearch
+{
+    bool are_known = false; ///< whether the faces are given to collide()
+    std::uint8_t face_a = 0;
+    std::uint8_t face_b = 0;
+    std::uint8_t facing_a = 0; ///< the edge of A that faces face_b
+    std::uint8_t facing_b = 0;
+    /// By how much these faces separate better than any other face of their shape; 0 when no faces were looked for [m].
+    float lead = 0;
+    /// By how much the facing edges face them more squarely than any other edge of their shape: a difference of cosines.
+    float turn_lead = 0;
+    /// Of a contact without points: the shapes are farther apart than the margin by at least this [m].
+    float gap = 0;
+};
+
 /// The contact of two shapes; no points when they are farther apart than `margin`.
 /// @param b_in_a     the frame of B's body seen from A's
 /// @param margin     [m], >= 0
 /// @param tolerances of the world that they are in
-LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin, const Tolerances& tolerances = {});
+LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin, const Tolerances& tolerances,
+                      FaceSearch& search);
+
+inline LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin, const Tolerances& tolerances = {})
+{
+    FaceSearch search;
+    return collide(a, b, b_in_a, margin, tolerances, search);
+}
 
 /// No points when they are farther apart than the world's speculative distance.
 inline LocalManifold collide(const Geometry& a, const Geometry& b, const Transform& b_in_a, const Tolerances& tolerances = {})

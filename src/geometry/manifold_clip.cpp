@@ -34,8 +34,19 @@ void add_point(LocalManifold& manifold, const EdgePair& pair, EdgePoint point, s
     added.feature = pair.reference_is_b ? feature_of(incident_index, reference_index) : feature_of(reference_index, incident_index);
 }
 
+// Every function here returns one variable or the result of a call: so the manifold is written where the caller wants it, and never copied.
+
 /// Height where the incident edge crosses t; the ends lie on different sides of it.
 EdgePoint cut(EdgePoint a, EdgePoint b, float t) { return {t, a.h + (t - a.t) / (b.t - a.t) * (b.h - a.h)}; }
+
+LocalManifold push_out_deepest(const EdgePair& pair, std::uint32_t v_index, EdgePoint w1, EdgePoint w2, float margin)
+{
+    LocalManifold manifold;
+    manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
+    const bool first = w1.h < w2.h;
+    add_point(manifold, pair, first ? w1 : w2, v_index, first ? pair.incident.i1 : pair.incident.i2, margin);
+    return manifold;
+}
 
 /// The edges pass each other by beyond the corner `v` of the reference edge. While the cores are apart the normal joins the nearest
 /// corners; when they overlap, that line could point anywhere, and the deepest end is pushed out along the reference normal.
@@ -47,10 +58,20 @@ LocalManifold pass_by(const EdgePair& pair, Vec2 v, std::uint32_t v_index, EdgeP
         const bool first = length_squared(w.v1 - v) < length_squared(w.v2 - v);
         return join_corners(pair, {v, first ? w.v1 : w.v2, v_index, first ? w.i1 : w.i2}, margin);
     }
+    return push_out_deepest(pair, v_index, w1, w2, margin);
+}
+
+/// The ends of the stretch from t = start to end that the edges have in common.
+LocalManifold clip_common(const EdgePair& pair, EdgePoint w1, EdgePoint w2, float start, float end, float margin)
+{
+    const Edge& v = pair.reference;
+    const Edge& w = pair.incident;
+    const EdgePoint lower = w2.t < start ? cut(w2, w1, start) : w2;
+    const EdgePoint upper = w1.t > end ? cut(w2, w1, end) : w1;
     LocalManifold manifold;
     manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
-    const bool first = w1.h < w2.h;
-    add_point(manifold, pair, first ? w1 : w2, v_index, first ? w.i1 : w.i2, margin);
+    add_point(manifold, pair, lower, v.i1, w.i2, margin);
+    add_point(manifold, pair, upper, v.i2, w.i1, margin);
     return manifold;
 }
 
@@ -68,13 +89,7 @@ LocalManifold clip(const EdgePair& pair, float margin)
     if (w1.t <= start && w2.t <= start) return pass_by(pair, v.v1, v.i1, w1, w2, margin);
     if (w1.t >= end && w2.t >= end) return pass_by(pair, v.v2, v.i2, w1, w2, margin);
 
-    const EdgePoint lower = w2.t < start ? cut(w2, w1, start) : w2;
-    const EdgePoint upper = w1.t > end ? cut(w2, w1, end) : w1;
-    LocalManifold manifold;
-    manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
-    add_point(manifold, pair, lower, v.i1, w.i2, margin);
-    add_point(manifold, pair, upper, v.i2, w.i1, margin);
-    return manifold;
+    return clip_common(pair, w1, w2, start, end, margin);
 }
 
 LocalManifold join_corners(const EdgePair& pair, const CornerPair& corners, float margin)

@@ -25,12 +25,20 @@ struct SegmentCore
     float radius = 0; ///< [m]
 };
 
-/// How near two shapes have to be, and how near is near enough.
+/// How near two shapes have to be, how near is near enough, and what is found on the way.
 struct Nearness
 {
     float margin; ///< shapes farther apart make no points [m]
     const Tolerances& tolerances;
+    FaceSearch& search;
 };
+
+/// @param gap see FaceSearch
+inline LocalManifold no_contact(float gap, FaceSearch& search)
+{
+    search.gap = gap;
+    return {};
+}
 
 LocalManifold collide_segments(const SegmentCore& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near);
 LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, const Nearness& near);

@@ -7,7 +7,9 @@
 #include "geometry/manifold_kernels.hpp"
 #include "math/float4.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace carom::detail
 {
@@ -130,6 +132,7 @@ struct BestFace
 {
     int face;
     float separation; ///< of the cores [m]
+    float lead;       ///< over every other face [m]
 };
 
 /// max over the faces i of `reference` of min over the corners w of `other` of n_i . (w - v_i)
@@ -147,17 +150,26 @@ BestFace best_face(const Hull<blocks>& reference, const Hull<blocks>& other)
             separation.block[k] = j == 0 ? s : min4(s, separation.block[k]);
         }
     }
-    BestFace best = {0, separation.one[0]};
-    for (int i = 1; i < Hull<blocks>::size; ++i)
+    int best = 0;
+    float second = -std::numeric_limits<float>::max();
+    for (int i = 1; i < reference.count; ++i)
     {
-        if (separation.one[i] > best.separation) best = {i, separation.one[i]};
+        const bool is_better = separation.one[i] > separation.one[best];
+        second = std::max(second, separation.one[is_better ? best : i]);
+        if (is_better) best = i;
     }
-    return best;
+    return {best, separation.one[best], separation.one[best] - second};
 }
+
+struct FacingEdge
+{
+    int edge;
+    float lead; ///< over every other edge: a difference of cosines
+};
 
 /// The edge of `other` that faces `normal` most squarely. It ends in the corner that is deepest behind the normal's face.
 template <int blocks>
-int facing_edge(const Hull<blocks>& other, Vec2 normal)
+FacingEdge facing_edge(const Hull<blocks>& other, Vec2 normal)
 {
     Lanes<blocks> along;
     for (int k = 0; k < blocks; ++k)
@@ -165,21 +177,52 @@ int facing_edge(const Hull<blocks>& other, Vec2 normal)
         along.block[k] = other.normal_x.block[k] * splat4(normal.x) + other.normal_y.block[k] * splat4(normal.y);
     }
     int best = 0;
-    float least = along.one[0];
-    for (int j = 1; j < Hull<blocks>::size; ++j)
+    float second = std::numeric_limits<float>::max();
+    for (int j = 1; j < other.count; ++j)
     {
-        if (along.one[j] >= least) continue;
-        least = along.one[j];
-        best = j;
+        const bool is_better = along.one[j] < along.one[best];
+        second = std::min(second, along.one[is_better ? best : j]);
+        if (is_better) best = j;
     }
-    return best;
+    return {best, second - along.one[best]};
 }
 
-template <int blocks>
-EdgePair pair_of(const Hull<blocks>& reference, int face, const Hull<blocks>& other, int other_face, bool reference_is_b, Vec2 origin)
+/// A face of a shape, seen from A.
+struct Face
 {
-    return {
-        reference.edge(face), other.edge(other_face), reference.normal(face), reference.radius, other.radius, reference_is_b, origin, 0};
+    Edge edge;
+    Vec2 normal;
+    float radius;
+};
+
+template <int blocks>
+Face face_of(const Hull<blocks>& hull, int face)
+{
+    return {hull.edge(face), hull.normal(face), hull.radius};
+}
+
+template <class Place>
+Face face_of(const Polygon& polygon, std::uint32_t face, const Place& place)
+{
+    const std::uint32_t next = face + 1 < static_cast<std::uint32_t>(polygon.count) ? face + 1 : 0;
+    return {{place.point(polygon.vertices[face]), place.point(polygon.vertices[next]), face, next},
+            place.direction(polygon.normals[face]),
+            polygon.radius};
+}
+
+template <class Place>
+Face face_of(const SegmentCore& core, std::uint32_t face, const Place& place)
+{
+    const Vec2 p1 = place.point(core.p1);
+    const Vec2 p2 = place.point(core.p2);
+    const Vec2 right = place.direction(normalize(right_perp(core.p2 - core.p1)));
+    if (face == 0) return {{p1, p2, 0, 1}, right, core.radius};
+    return {{p2, p1, 1, 0}, -right, core.radius};
+}
+
+EdgePair pair_of(const Face& reference, const Face& other, bool reference_is_b, Vec2 origin)
+{
+    return {reference.edge, other.edge, reference.normal, reference.radius, other.radius, reference_is_b, origin, 0};
 }
 
 /// Separated cores: which of the regions of the two edges holds the nearest points? The reference edge gets the nearest
@@ -189,11 +232,9 @@ EdgePair pair_of(const Hull<blocks>& reference, int face, const Hull<blocks>& ot
 ///         .                      .                            /
 ///     ----+-----        ------o v                  ----o v
 ///     w over the face         v over w's face      corner to corner
-template <int blocks>
-LocalManifold touch_separated(const Hull<blocks>& reference, int face, const Hull<blocks>& other, int other_face, bool reference_is_b,
-                              Vec2 origin, float margin)
+LocalManifold touch_separated(const Face& reference, const Face& other, bool reference_is_b, Vec2 origin, const Nearness& near)
 {
-    EdgePair pair = pair_of(reference, face, other, other_face, reference_is_b, origin);
+    EdgePair pair = pair_of(reference, other, reference_is_b, origin);
     const Edge& v = pair.reference;
     const Edge& w = pair.incident;
     const Vec2 tangent = left_perp(pair.normal);
@@ -203,36 +244,80 @@ LocalManifold touch_separated(const Hull<blocks>& reference, int face, const Hul
     const Vec2 corner = first ? w.v1 : w.v2;
     const float t = dot(corner - v.v1, tangent);
     pair.slack = corner_slack * (first ? h1 : h2);
-    if (t >= -pair.slack && t <= dot(v.v2 - v.v1, tangent) + pair.slack) return clip(pair, margin);
+    if (t >= -pair.slack && t <= dot(v.v2 - v.v1, tangent) + pair.slack) return clip(pair, near.margin);
 
     const bool is_lower_end = t < 0;
     const Vec2 end = is_lower_end ? v.v1 : v.v2;
-    if (dot(end - corner, (first ? w.v2 : w.v1) - corner) > 0)
-    {
-        return clip(pair_of(other, other_face, reference, face, !reference_is_b, origin), margin);
-    }
-    return join_corners(pair, {end, corner, is_lower_end ? v.i1 : v.i2, first ? w.i1 : w.i2}, margin);
+    if (dot(end - corner, (first ? w.v2 : w.v1) - corner) > 0) return clip(pair_of(other, reference, !reference_is_b, origin), near.margin);
+    return join_corners(pair, {end, corner, is_lower_end ? v.i1 : v.i2, first ? w.i1 : w.i2}, near.margin);
+}
+
+LocalManifold touch(const Face& reference, const Face& other, float separation, bool reference_is_b, Vec2 origin, const Nearness& near)
+{
+    if (separation > near.tolerances.least_core_distance) return touch_separated(reference, other, reference_is_b, origin, near);
+    return clip(pair_of(reference, other, reference_is_b, origin), near.margin);
+}
+
+bool is_reference_b(float separation_a, float separation_b, const Nearness& near)
+{
+    return separation_b > separation_a + near.tolerances.reference_preference;
 }
 
 template <int blocks>
 LocalManifold collide_hulls(const Hull<blocks>& a, const Hull<blocks>& b, Vec2 origin, const Nearness& near)
 {
+    FaceSearch& search = near.search;
     const float reach = a.radius + b.radius + near.margin;
     const BestFace best_a = best_face(a, b);
-    if (best_a.separation > reach) return {};
+    if (best_a.separation > reach) return no_contact(best_a.separation - reach, search);
     const BestFace best_b = best_face(b, a);
-    if (best_b.separation > reach) return {};
+    if (best_b.separation > reach) return no_contact(best_b.separation - reach, search);
 
-    const bool reference_is_b = best_b.separation > best_a.separation + near.tolerances.reference_preference;
-    const Hull<blocks>& reference = reference_is_b ? b : a;
-    const Hull<blocks>& other = reference_is_b ? a : b;
-    const BestFace best = reference_is_b ? best_b : best_a;
-    const int other_face = facing_edge(other, reference.normal(best.face));
-    if (best.separation > near.tolerances.least_core_distance)
-    {
-        return touch_separated(reference, best.face, other, other_face, reference_is_b, origin, near.margin);
-    }
-    return clip(pair_of(reference, best.face, other, other_face, reference_is_b, origin), near.margin);
+    const FacingEdge facing_a = facing_edge(a, b.normal(best_b.face));
+    const FacingEdge facing_b = facing_edge(b, a.normal(best_a.face));
+    search.face_a = static_cast<std::uint8_t>(best_a.face);
+    search.face_b = static_cast<std::uint8_t>(best_b.face);
+    search.facing_a = static_cast<std::uint8_t>(facing_a.edge);
+    search.facing_b = static_cast<std::uint8_t>(facing_b.edge);
+    search.lead = std::min(best_a.lead, best_b.lead);
+    search.turn_lead = std::min(facing_a.lead, facing_b.lead);
+    if (is_reference_b(best_a.separation, best_b.separation, near))
+        return touch(face_of(b, best_b.face), face_of(a, facing_a.edge), best_b.separation, true, origin, near);
+    return touch(face_of(a, best_a.face), face_of(b, facing_b.edge), best_a.separation, false, origin, near);
+}
+
+/// How far a shape is in front of a face, when one of its edges that faces it is known: the deepest corner is one of its ends.
+float separation_of(const Face& face, const Face& facing)
+{
+    return std::min(dot(face.normal, facing.edge.v1 - face.edge.v1), dot(face.normal, facing.edge.v2 - face.edge.v1));
+}
+
+/// @param facing_a, facing_b the edges that face face_b and face_a
+LocalManifold collide_faces(const Face& face_a, const Face& facing_b, const Face& face_b, const Face& facing_a, Vec2 origin,
+                            const Nearness& near)
+{
+    const float reach = face_a.radius + face_b.radius + near.margin;
+    const float separation_a = separation_of(face_a, facing_b);
+    if (separation_a > reach) return no_contact(separation_a - reach, near.search);
+    const float separation_b = separation_of(face_b, facing_a);
+    if (separation_b > reach) return no_contact(separation_b - reach, near.search);
+    if (is_reference_b(separation_a, separation_b, near)) return touch(face_b, facing_a, separation_b, true, origin, near);
+    return touch(face_a, facing_b, separation_a, false, origin, near);
+}
+
+/// The same as collide_hulls() with what it has found.
+template <class A, class B>
+LocalManifold collide_known(const A& a, const B& b, Vec2 origin, const Transform& b_in_a, const Nearness& near)
+{
+    const FaceSearch& known = near.search;
+    const ShiftOnly at_a = {origin};
+    const MoveAndShift at_b(b_in_a, origin);
+    const Face face_a = face_of(a, known.face_a, at_a);
+    const Face face_b = face_of(b, known.face_b, at_b);
+    // Of shapes that lie on each other, each one's face is the edge that faces the other's.
+    if (known.facing_a == known.face_a && known.facing_b == known.face_b)
+        return collide_faces(face_a, face_b, face_b, face_a, origin, near);
+    return collide_faces(face_a, face_of(b, known.facing_b, at_b), face_b, face_of(a, known.facing_a, at_a), origin, near);
 }
 
 template <int blocks, class A, class B>
@@ -250,6 +335,7 @@ LocalManifold collide_as_hulls(const A& shape_a, const B& shape_b, Vec2 origin, 
 LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.vertices[0];
+    if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (a.count <= 4 && b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }
@@ -257,6 +343,7 @@ LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transfo
 LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.vertices[0];
+    if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (a.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }
@@ -264,6 +351,7 @@ LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, co
 LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
     const Vec2 origin = a.p1;
+    if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);
 }

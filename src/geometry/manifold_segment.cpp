@@ -118,7 +118,7 @@ LocalManifold collide_segments(const SegmentCore& shape_a, const SegmentCore& sh
 
     const NearestEnd nearest = nearest_of_all_ends(a, b);
     const float reach = a.radius + b.radius + near.margin;
-    if (nearest.distance2 > reach * reach) return {};
+    if (nearest.distance2 > reach * reach) return no_contact(std::sqrt(nearest.distance2) - reach, near.search);
 
     const Core& face = nearest.is_end_of_b ? a : b;
     const Core& other = nearest.is_end_of_b ? b : a;

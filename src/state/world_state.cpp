@@ -85,7 +85,7 @@ WorldState::WorldState(const WorldDef& def, std::pmr::memory_resource& upstream)
 void make_room_for_contacts(WorldState& world)
 {
     const std::size_t wanted = world.contacts.contacts.size() + world.contacts.contacts.size() / 4;
-    if (wanted > world.contacts.contacts.capacity()) world.contacts.reserve(2 * wanted);
+    if (wanted > world.contacts.contacts.capacity()) world.contacts.reserve(wanted + wanted / 2);
     const std::size_t capacity = world.contacts.contacts.capacity();
     world.pairs.reserve(capacity);
     make_room(world.events.pending_contact_end, capacity);

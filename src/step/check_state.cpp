@@ -102,6 +102,12 @@ private:
         }
     }
 
+    bool is_alone(std::uint32_t shape) const
+    {
+        const ShapeRecord& record = world_.shapes.records[shape];
+        return !record.is_one_sided && bodies_.is_dynamic(record.body) && bodies_.records[record.body].shape_count == 1;
+    }
+
     void check_contacts()
     {
         std::size_t live = 0;
@@ -120,12 +126,31 @@ private:
             const bool share_island = bodies_.records[contact.body_a].island == bodies_.records[contact.body_b].island;
             const bool has_points = !contact.is_sensor && contacts_.manifolds[slot].count > 0;
             expect(any_active || !are_dynamic || !has_points || share_island, "sleepers that touch share an island", slot);
+            if (contact.neighborhood == Neighborhood::Empty)
+                expect(is_alone(contact.shape_a) && is_alone(contact.shape_b), "what has no neighbourhood is alone on a dynamic body",
+                       slot);
             if (contact.color == no_color) continue;
             expect(any_active && !contact.is_sensor, "a coloured contact has an active body", slot);
             expect(!are_dynamic || share_island, "bodies that push each other share an island", slot);
         }
         expect(live == world_.pairs.size(), "there is a contact for every pair", 0);
         expect(awake == contacts_.awake.size(), "awake contacts are listed", 0);
+        check_awake_pairs();
+    }
+
+    void check_awake_pairs()
+    {
+        expect(contacts_.awake_pairs.size() == contacts_.awake.size(), "an awake contact has a pair", 0);
+        for (std::size_t place = 0; place < contacts_.awake_pairs.size() && fault_.empty(); ++place)
+        {
+            const std::uint32_t slot = contacts_.awake[place];
+            const Contact& contact = contacts_.contacts[slot];
+            const AwakePair& pair = contacts_.awake_pairs[place];
+            expect(pair.shape_a == contact.shape_a && pair.shape_b == contact.shape_b, "an awake pair is that of its contact", slot);
+            const bool can_be_idle =
+                contacts_.manifolds[slot].count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting;
+            expect(!pair.is_idle || can_be_idle, "an idle contact has nothing to tell", slot);
+        }
     }
 
     void check_joints()

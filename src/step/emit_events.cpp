@@ -2,6 +2,7 @@
 #include "state/event_buffers.hpp"
 
 #include "geometry/manifold.hpp"
+#include "memory/fetch_lines.hpp"
 
 #include <algorithm>
 
@@ -34,10 +35,9 @@ void add_sensor_events(const Contact& contact, const ShapeStore& shapes, std::ui
 
 void emit_sensor(Contact& contact, bool touches_now, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
-    const bool wants_persist = shapes.records[contact.shape_a].persist_events || shapes.records[contact.shape_b].persist_events;
     if (touches_now && !contact.is_touching)
         add_sensor_events(contact, shapes, world, events.sensor_begin);
-    else if (touches_now && wants_persist)
+    else if (touches_now && contact.wants_persist)
         add_sensor_events(contact, shapes, world, events.sensor_persist);
     else if (!touches_now && contact.is_touching)
         add_sensor_events(contact, shapes, world, events.sensor_end);
@@ -55,20 +55,21 @@ void remember_impulses(Contact& contact, const ContactManifold& manifold)
     }
 }
 
+/// Whether one of its shapes asks for the contact's begin and end.
+bool wants_ends(const Contact& contact, const ShapeStore& shapes)
+{
+    return shapes.records[contact.shape_a].contact_events || shapes.records[contact.shape_b].contact_events;
+}
+
 void emit_contact(Contact& contact, const ContactManifold& manifold, bool touches_now, const ShapeStore& shapes, std::uint32_t world,
                   EventBuffers& events)
 {
-    const ShapeRecord& a = shapes.records[contact.shape_a];
-    const ShapeRecord& b = shapes.records[contact.shape_b];
-    const bool wants_ends = a.contact_events || b.contact_events;
-    const bool wants_persist = a.persist_events || b.persist_events;
     const auto id_of = [&](std::uint32_t shape) { return shape_id(shapes, shape, world); };
-
-    if (touches_now && !contact.is_touching && wants_ends)
+    if (touches_now && !contact.is_touching && wants_ends(contact, shapes))
         events.contact_begin.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
-    else if (touches_now && contact.is_touching && wants_persist)
+    else if (touches_now && contact.is_touching && contact.wants_persist)
         events.contact_persist.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
-    else if (!touches_now && contact.is_touching && wants_ends)
+    else if (!touches_now && contact.is_touching && wants_ends(contact, shapes))
         events.contact_end.push_back({id_of(contact.shape_a), id_of(contact.shape_b), contact.last_normal, contact.last_tangent});
     if (touches_now) remember_impulses(contact, manifold);
     contact.is_touching = touches_now;
@@ -95,13 +96,22 @@ Impact impact_of(const ContactManifold& manifold)
 /// A collision that takes several steps counts once: a contact that was hitting in the step before goes on doing so.
 void emit_hit(Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, const ContactRules& rules, EventBuffers& events)
 {
-    if (!shapes.records[contact.shape_a].hit_events && !shapes.records[contact.shape_b].hit_events) return;
+    if (!contact.wants_hits) return;
     const Impact impact = impact_of(manifold);
     const bool is_hitting = impact.speed > rules.hit_speed * shapes.tolerances.length_unit;
     if (is_hitting && !contact.is_hitting)
         events.contact_hit.push_back({shape_id(shapes, contact.shape_a, rules.world), shape_id(shapes, contact.shape_b, rules.world),
                                       manifold.points[impact.point].position, manifold.normal, impact.speed});
     contact.is_hitting = is_hitting;
+}
+
+constexpr std::size_t fetched_ahead = 8;
+
+void fetch_ahead(const ContactStore& contacts, std::size_t place)
+{
+    if (place >= contacts.awake.size() || contacts.awake_pairs[place].is_idle) return;
+    fetch_lines(contacts.contacts[contacts.awake[place]]);
+    fetch_lines(contacts.manifolds[contacts.awake[place]]);
 }
 
 template <class List>
@@ -149,7 +159,7 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
         add_sensor_events(contact, shapes, world, events.pending_sensor_end);
         return;
     }
-    if (shapes.records[contact.shape_a].contact_events || shapes.records[contact.shape_b].contact_events)
+    if (wants_ends(contact, shapes))
         events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world),
                                               contact.last_normal, contact.last_tangent});
 }
@@ -163,8 +173,11 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
     events.pending_contact_end.clear();
     events.pending_sensor_end.clear();
 
-    for (const std::uint32_t slot : contacts.awake)
+    for (std::size_t place = 0; place < contacts.awake.size(); ++place)
     {
+        fetch_ahead(contacts, place + fetched_ahead);
+        if (contacts.awake_pairs[place].is_idle) continue;
+        const std::uint32_t slot = contacts.awake[place];
         Contact& contact = contacts.contacts[slot];
         const ContactManifold& manifold = contacts.manifolds[slot];
         if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;

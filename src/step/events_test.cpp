@@ -362,4 +362,23 @@ TEST_F(SensorTest, TwoSensorsMakeTwoEventsEachWay)
     EXPECT_EQ(step().sensor_end.size(), 2u);
 }
 
+TEST_F(EventsTest, hits_are_told_of_a_contact_that_was_there_when_they_were_asked_for)
+{
+    const auto [a, b] = touching_pair();
+    const auto strike = [&]
+    {
+        step(); // a contact that was hitting goes on doing so
+        body_of(b).set_linear_velocity({-5, 0});
+        return step().contact_hit.size();
+    };
+    EXPECT_EQ(strike(), 0u);
+    world.shape(a).set_hit_events(true);
+    EXPECT_EQ(strike(), 1u);
+    world.shape(b).set_hit_events(true);
+    world.shape(a).set_hit_events(false);
+    EXPECT_EQ(strike(), 1u) << "the other shape asks";
+    world.shape(b).set_hit_events(false);
+    EXPECT_EQ(strike(), 0u);
+}
+
 } // namespace carom

@@ -1,10 +1,12 @@
-// Between contacts and their rows: fills a contact into a lane of a row, hands rows to the passes, and takes the results out again.
+// Between contacts and their rows: fills the rows, hands them to the passes, and takes the results out again.
 #include "solver/rows/contact_solver.hpp"
 
 #include "math/lane_array.hpp"
 #include "solver/rows/body_lanes.hpp"
+#include "solver/rows/fill_rows.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -14,101 +16,6 @@ namespace carom::detail
 
 namespace
 {
-
-/// A body that turns by more than this in a substep is everywhere around its centre at once, and meets others as a disc would [rad]. At its corner as it
-/// happens to be, its spin may seem to take it away from what it runs into. Test: bullets_test.
-inline constexpr float whirl = 1;
-
-/// The arm of a point on a disc: straight towards what it touches.
-inline Vec2 arm_of_disc(Vec2 r, Vec2 n) { return dot(r, n) * n; }
-
-/// Writes a point of a contact into lane `i` of its row.
-template <class F>
-void fill_point(PointRow<F>& row, int i, const ContactPointState& point, float warm_scale)
-{
-    set_lane(row.r_a, i, point.r_a);
-    set_lane(row.r_b, i, point.r_b);
-    lane(row.adjusted_separation, i) = point.separation; // prepare() adjusts it
-    lane(row.lambda_n, i) = warm_scale * point.normal_impulse;
-    lane(row.lambda_t, i) = warm_scale * point.tangent_impulse;
-}
-
-/// Writes a contact into lane `i` of a row; the rest follows from that in prepare().
-template <class F, int N>
-void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
-              const ContactConstants& constants)
-{
-    const Contact& contact = contacts.contacts[slot];
-    const ContactManifold& manifold = contacts.manifolds[slot];
-    const std::uint32_t index_a = bodies.motion_index[contact.body_a];
-    const std::uint32_t index_b = bodies.motion_index[contact.body_b];
-    const BodyMass& mass_a = bodies.masses[index_a];
-    const BodyMass& mass_b = bodies.masses[index_b];
-    const bool with_static = mass_a.inv_mass == Vec2{} || mass_b.inv_mass == Vec2{};
-    const Softness& softness = with_static ? constants.with_static : constants.between_dynamic;
-
-    const std::size_t at = static_cast<std::size_t>(i);
-    row.contact[at] = slot;
-    row.body_a[at] = index_a;
-    row.body_b[at] = index_b;
-    row.pushed_a[at] = can_be_pushed(mass_a) ? index_a : 0;
-    row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
-    set_lane(row.inv_mass_a, i, mass_a.inv_mass);
-    set_lane(row.inv_mass_b, i, mass_b.inv_mass);
-    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
-    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
-    set_lane(row.n, i, manifold.normal);
-    const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
-    const float whirl_speed = whirl * constants.inv_h;
-    const auto whirls = [&](const BodyMotion& motion) { return motion.w * motion.w > whirl_speed * whirl_speed; };
-    const bool a_whirls = whirls(bodies.motions[index_a]);
-    const bool b_whirls = whirls(bodies.motions[index_b]);
-    lane(row.core_a, i) = a_whirls ? dot(manifold.points[0].r_a, manifold.normal) : manifold.rounding_a + gap;
-    lane(row.core_b, i) = b_whirls ? -dot(manifold.points[0].r_b, manifold.normal) : manifold.rounding_b + gap;
-    lane(row.friction, i) = contact.friction;
-    lane(row.restitution, i) = contact.restitution;
-    lane(row.tangent_speed, i) = contact.tangent_speed;
-    lane(row.rolling_resistance, i) = contact.rolling_resistance;
-    lane(row.rolling_lambda, i) = constants.warm_scale * manifold.rolling_impulse;
-    lane(row.bias_rate, i) = softness.bias_rate;
-    lane(row.mass_scale, i) = softness.mass_scale;
-    lane(row.impulse_scale, i) = softness.impulse_scale;
-    lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
-    for (std::size_t p = 0; p < N; ++p)
-    {
-        ContactPointState point = manifold.points[p];
-        if (a_whirls) point.r_a = arm_of_disc(point.r_a, manifold.normal);
-        if (b_whirls) point.r_b = arm_of_disc(point.r_b, manifold.normal);
-        fill_point(row.points[p], i, point, constants.warm_scale);
-    }
-}
-
-/// Puts contacts one after the other into the lanes of rows; a last row's free lanes stay zero and push nothing.
-template <class F, int N>
-class RowWriter
-{
-public:
-    /// @param lanes how many lanes of a row to use: all, or one where contacts depend on each other
-    RowWriter(std::pmr::vector<ContactRow<F, N>>& rows, int lanes) : rows_(&rows), lanes_(lanes), next_(lanes) {}
-
-    void write(std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants)
-    {
-        if (next_ == lanes_)
-        {
-            rows_->emplace_back(ContactRow<F, N>{}).contact.fill(null_index);
-            next_ = 0;
-        }
-        fill_row(rows_->back(), next_++, slot, bodies, contacts, constants);
-        any_belts_ = any_belts_ || contacts.contacts[slot].tangent_speed != 0;
-    }
-    bool any_belts() const { return any_belts_; }
-
-private:
-    std::pmr::vector<ContactRow<F, N>>* rows_;
-    int lanes_;
-    int next_;
-    bool any_belts_ = false;
-};
 
 /// The rows of one colour.
 struct ColorRange
@@ -165,8 +72,8 @@ private:
     void run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions);
     template <class Action>
     void for_each_contact(Action&& action) const;
-    void make_room_for_rows(const ColorLists& colors, const ContactStore& contacts);
-    void build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies, const ContactStore& contacts,
+    void make_room_for_rows(const ContactsByPoints& slots);
+    void build_color(const ContactsByPoints& slots, int color, const BodyStore& bodies, const ContactStore& contacts,
                      const ContactConstants& constants);
 
     const SolverPasses& passes_;
@@ -184,39 +91,30 @@ private:
 };
 
 template <class F>
-void WideContactSolver<F>::build_color(std::span<const std::uint32_t> color, int lanes, const BodyStore& bodies,
-                                       const ContactStore& contacts, const ContactConstants& constants)
+void WideContactSolver<F>::build_color(const ContactsByPoints& slots, int color, const BodyStore& bodies, const ContactStore& contacts,
+                                       const ContactConstants& constants)
 {
-    if (color.empty()) return;
+    if (slots.singles(color).empty() && slots.doubles(color).empty()) return;
+    const std::size_t lanes = color == overflow_color ? 1 : lane_width<F>;
     ColorRange range = {single_.size(), 0, double_.size(), 0};
-    RowWriter<F, 1> single(single_, lanes);
-    RowWriter<F, 2> pairs(double_, lanes);
-    for (const std::uint32_t slot : color)
-    {
-        if (contacts.manifolds[slot].count == 1)
-            single.write(slot, bodies, contacts, constants);
-        else
-            pairs.write(slot, bodies, contacts, constants);
-    }
-    any_belts_ = any_belts_ || single.any_belts() || pairs.any_belts();
+    any_belts_ |= write_rows(single_, slots.singles(color), lanes, bodies, contacts, constants);
+    any_belts_ |= write_rows(double_, slots.doubles(color), lanes, bodies, contacts, constants);
     range.end_single = single_.size();
     range.end_double = double_.size();
     ranges_.push_back(range);
 }
 
-/// At most so many rows, so that no list grows while it is filled.
+/// So that no list grows while it is filled.
 template <class F>
-void WideContactSolver<F>::make_room_for_rows(const ColorLists& colors, const ContactStore& contacts)
+void WideContactSolver<F>::make_room_for_rows(const ContactsByPoints& slots)
 {
     std::size_t singles = 0;
     std::size_t doubles = 0;
     for (int color = 0; color < color_count; ++color)
     {
         const std::size_t lanes = color == overflow_color ? 1 : lane_width<F>;
-        std::size_t with_one = 0;
-        for (const std::uint32_t slot : colors.list(color)) with_one += contacts.manifolds[slot].count == 1;
-        singles += (with_one + lanes - 1) / lanes;
-        doubles += (colors.list(color).size() - with_one + lanes - 1) / lanes;
+        singles += (slots.singles(color).size() + lanes - 1) / lanes;
+        doubles += (slots.doubles(color).size() + lanes - 1) / lanes;
     }
     single_.reserve(singles);
     double_.reserve(doubles);
@@ -230,15 +128,16 @@ void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodi
     single_.clear();
     double_.clear();
     ranges_.clear();
-    make_room_for_rows(colors, contacts);
+    const ContactsByPoints slots(colors, contacts, *single_.get_allocator().resource());
+    make_room_for_rows(slots);
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
     calm_share_ = constants.calm_share;
     settled_within_ = constants.settled_within;
     constants_ = {constants.inv_h, constants.push_out_speed, constants.restitution_threshold, 1.25f * constants.dt, constants.h};
 
-    build_color(colors.list(overflow_color), 1, bodies, contacts, constants);
-    for (int color = 0; color < overflow_color; ++color) build_color(colors.list(color), lane_width<F>, bodies, contacts, constants);
+    build_color(slots, overflow_color, bodies, contacts, constants);
+    for (int color = 0; color < overflow_color; ++color) build_color(slots, color, bodies, contacts, constants);
     const float* const motions = floats_of(std::span(bodies.motions));
     const bool any_single = passes_.single.prepare(single_.data(), 0, single_.size(), motions, constants_);
     const bool any_pair = passes_.pairs.prepare(double_.data(), 0, double_.size(), motions, constants_);

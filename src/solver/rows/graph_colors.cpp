@@ -50,12 +50,16 @@ void take_color(std::uint32_t slot, ContactStore& contacts, BodyStore& bodies)
 /// Sorted by counting.
 ColorLists::ColorLists(const ContactStore& store, std::pmr::memory_resource& memory) : contacts_(&memory)
 {
-    for (const std::uint32_t contact : store.awake)
+    std::pmr::vector<std::uint32_t> candidates(&memory);
+    candidates.reserve(store.awake.size());
+    for (std::size_t place = 0; place < store.awake.size(); ++place)
+        if (!store.awake_pairs[place].is_idle) candidates.push_back(store.awake[place]);
+    for (const std::uint32_t contact : candidates)
         if (const std::uint8_t color = store.contacts[contact].color; color != no_color) ++begin_[color + std::size_t{1}];
     for (std::size_t color = 0; color < color_count; ++color) begin_[color + 1] += begin_[color];
     contacts_.resize(begin_[color_count]);
     std::array<std::uint32_t, color_count + 1> next = begin_;
-    for (const std::uint32_t contact : store.awake)
+    for (const std::uint32_t contact : candidates)
         if (const std::uint8_t color = store.contacts[contact].color; color != no_color) contacts_[next[color]++] = contact;
 }
 
