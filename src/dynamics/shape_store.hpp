@@ -56,6 +56,7 @@ public:
           geometry(&memory),
           extents(&memory),
           bounds(&memory),
+          searched(&memory),
           moved(&memory),
           place_in_moved(&memory)
     {
@@ -73,6 +74,12 @@ public:
 
     /// Asks for new pairs of this shape in the next step.
     void mark_moved(std::uint32_t slot);
+    /// The same after an edit: pairs that could not be contacts before may be now.
+    void mark_changed(std::uint32_t slot);
+    /// The next search judges every pair of this shape, also those whose bounds overlapped in the last one.
+    void forget_search(std::uint32_t slot);
+    /// The search for pairs is over. @param keeps whether each pair that it found was judged by the stores alone
+    void end_search(bool keeps);
     void unmark_moved(std::uint32_t slot);
     void clear_moved();
 
@@ -82,6 +89,8 @@ public:
     std::pmr::vector<Geometry> geometry;
     std::pmr::vector<Extent> extents; ///< of the geometry
     std::pmr::vector<ShapeBounds> bounds;
+    /// The fat bounds in the last search for pairs, or an empty box. Where those of two shapes overlap, the pair is a contact or must not be one.
+    std::pmr::vector<Aabb> searched;
     std::pmr::vector<std::uint32_t> moved;          ///< slots whose fat bounds are new since the last search for pairs, in any order
     std::pmr::vector<std::uint32_t> place_in_moved; ///< by slot; null_index when not there
 };
