@@ -13,6 +13,10 @@
 namespace carom::detail
 {
 
+/// A shape that goes into another no deeper than this share of its inner radius has not begun to pass through: it slides along it, over tiles and
+/// seams. Tests: continuous_test, terrain_test.
+inline constexpr float sliding_share = 0.25f;
+
 /// The middle of a shape on its way, as a straight line, and all that the shape reaches around it.
 struct SweptPath
 {
