@@ -6,8 +6,6 @@
 // changes, its pairs are looked up again.
 #include "solver/continuous/continuous.hpp"
 
-#include "dynamics/find_pairs.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -113,11 +111,22 @@ void ContinuousCollision::walk_contacts(std::span<const std::uint32_t> strayed, 
 {
     std::pmr::vector<std::uint8_t> has_strayed(near.shapes.records.size(), 0, ways_.get_allocator());
     for (const std::uint32_t shape : strayed) has_strayed[shape] = 1;
-    for (const std::uint32_t slot : near.contacts.awake)
+    const auto look_at = [&](const Contact& contact)
     {
-        const Contact& contact = near.contacts.contacts[slot];
-        if (has_strayed[contact.shape_a] | has_strayed[contact.shape_b]) continue;
+        if (way_of_shape_[contact.shape_a] == null_index && way_of_shape_[contact.shape_b] == null_index) return;
+        if (has_strayed[contact.shape_a] | has_strayed[contact.shape_b]) return;
         consider(contact.shape_a, contact.shape_b, near);
+    };
+    // The list of awake ones is in no order of memory.
+    const bool are_most_awake = 2 * near.contacts.awake.size() > near.contacts.contacts.size();
+    if (are_most_awake)
+    {
+        for (const Contact& contact : near.contacts.contacts)
+            if (contact.is_live) look_at(contact);
+    }
+    else
+    {
+        for (const std::uint32_t slot : near.contacts.awake) look_at(near.contacts.contacts[slot]);
     }
 }
 
@@ -132,7 +141,7 @@ void ContinuousCollision::consider(std::uint32_t a, std::uint32_t b, const Surro
     {
         const ShapeWay& way_a = ways_[place_a];
         const ShapeWay& way_b = ways_[place_b];
-        if (!overlaps(way_a.bounds, way_b.bounds)) return;
+        if (!overlaps(way_a.bounds, way_b.bounds) || way_a.mover == way_b.mover) return;
         const bool is_sensor = way_a.is_sensor || way_b.is_sensor;
         const float least_way = rounding_share * std::min(way_a.least_way, way_b.least_way);
         if (!is_sensor && !may_pass_through(way_a.path, way_b.path, least_way, 0, near.shapes.tolerances.linear_slop)) return;
@@ -156,17 +165,13 @@ const Sweep& ContinuousCollision::way_for_order(std::uint32_t mover, PairKey key
     return key < first_late_key ? movers_[mover].whole_way : movers_[mover].sweep;
 }
 
-/// @return empty when the two must not meet
-std::optional<ContinuousCollision::Pair> ContinuousCollision::pair_of(std::uint32_t mover, std::uint32_t shape, std::uint32_t other,
-                                                                      PairKey key, const Surroundings& near) const
+/// A pair of shapes of different bodies, of which it is not known whether they may meet at all.
+ContinuousCollision::Pair ContinuousCollision::pair_of(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, PairKey key,
+                                                       const Surroundings& near) const
 {
-    const std::uint32_t body = near.shapes.records[other].body;
-    const PairVerdict verdict = judge_pair(near.shapes, near.bodies, near.joints, {std::min(shape, other), std::max(shape, other)});
-    if (!verdict.makes_contact) return {};
-    if (!verdict.is_sensor && are_parts_of_one(near.bodies, near.shapes.records[shape].body, body)) return {};
-    std::uint32_t other_mover = mover_of_body_[body];
-    if (other_mover == mover) return {};
-    const bool is_other_fast = other_mover != null_index && movers_[other_mover].is_fast;
+    const std::uint32_t way = way_of_shape_[other];
+    const bool is_other_fast = way != null_index;
+    std::uint32_t other_mover = is_other_fast ? ways_[way].mover : mover_of_body_[near.shapes.records[other].body];
     if (other_mover != null_index && !is_other_fast && key < movers_[other_mover].made_for) other_mover = null_index;
     // The core of A must not go into B. Of two fast bodies A is the thinner one, whichever was created first.
     if (is_other_fast && goes_first(near.shapes, other, way_for_order(other_mover, key), shape, way_for_order(mover, key)))
@@ -174,13 +179,24 @@ std::optional<ContinuousCollision::Pair> ContinuousCollision::pair_of(std::uint3
         std::swap(mover, other_mover);
         std::swap(shape, other);
     }
-    return Pair{mover, other_mover, shape, other, key, verdict.is_sensor};
+    return {mover, other_mover, shape, other, key};
+}
+
+/// Whether filters, types and joints let the two meet.
+PairVerdict ContinuousCollision::judge(const Pair& pair, const Surroundings& near) const
+{
+    const auto [first, second] = std::minmax(pair.shape_a, pair.shape_b);
+    const PairVerdict verdict = judge_pair(near.shapes, near.bodies, near.joints, {first, second});
+    if (!verdict.makes_contact || verdict.is_sensor) return verdict;
+    const std::uint32_t body_a = near.shapes.records[pair.shape_a].body;
+    const std::uint32_t body_b = near.shapes.records[pair.shape_b].body;
+    return {.makes_contact = !are_parts_of_one(near.bodies, body_a, body_b), .is_sensor = false};
 }
 
 /// Whether A goes on when it meets B, which hardly moves: then B must have a way that can change.
 bool ContinuousCollision::runs_into(const Pair& pair, const Surroundings& near) const
 {
-    if (pair.is_sensor || pair.mover_b != null_index) return false;
+    if (pair.mover_b != null_index) return false;
     const std::uint32_t body = near.shapes.records[pair.shape_b].body;
     const bool is_free = near.bodies.is_dynamic(body) && near.bodies.records[body].first_joint == null_index;
     return !movers_[pair.mover_a].can_stop || (movers_[pair.mover_a].is_held && is_free);
@@ -195,8 +211,10 @@ void ContinuousCollision::find_carried(const Surroundings& near)
         if (way_of_shape_[candidate.other] != null_index) continue;
         if (movers_[way.mover].can_stop && !movers_[way.mover].is_held) continue;
         const PairKey key = key_of(candidate.way, candidate.other);
-        const std::optional<Pair> pair = pair_of(way.mover, way.shape, candidate.other, key, near);
-        if (!pair || !runs_into(*pair, near)) continue;
+        const Pair pair = pair_of(way.mover, way.shape, candidate.other, key, near);
+        if (!runs_into(pair, near)) continue;
+        const PairVerdict verdict = judge(pair, near);
+        if (!verdict.makes_contact || verdict.is_sensor) continue;
         Mover& other = movers_[mover_of(near.shapes.records[candidate.other].body, key, near)];
         other.made_for = std::min(other.made_for, key);
     }
@@ -222,12 +240,17 @@ void ContinuousCollision::judge_candidates(const Surroundings& near)
     for (const Candidate& candidate : candidates_)
     {
         const ShapeWay& way = ways_[candidate.way];
-        const std::optional<Pair> pair = pair_of(way.mover, way.shape, candidate.other, key_of(candidate.way, candidate.other), near);
-        if (!pair) continue;
-        if (pair->is_sensor)
-            sensor_pairs_.push_back(*pair);
-        else if (way_of_shape_[candidate.other] != null_index || may_meet(way, *pair, near))
-            seek_impact(*pair, 0, near);
+        const std::uint32_t other_way = way_of_shape_[candidate.other];
+        const bool is_other_fast = other_way != null_index;
+        const Pair pair = pair_of(way.mover, way.shape, candidate.other, key_of(candidate.way, candidate.other), near);
+        if (way.is_sensor || (is_other_fast ? ways_[other_way].is_sensor : near.shapes.records[candidate.other].is_sensor))
+        {
+            if (judge(pair, near).makes_contact) sensor_pairs_.push_back(pair);
+        }
+        else if (is_other_fast || may_meet(way, pair, near))
+        {
+            seek_impact(pair, 0, near);
+        }
     }
 }
 
@@ -261,14 +284,16 @@ bool ContinuousCollision::is_known(std::uint32_t mover, std::uint32_t shape, std
 void ContinuousCollision::add_late_pair(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, const Surroundings& near)
 {
     const PairKey key = first_late_key + late_pairs_.size();
-    std::optional<Pair> pair = pair_of(mover, shape, other, key, near);
-    if (!pair) return;
-    if (pair->is_sensor) return sensor_pairs_.push_back(*pair);
-    if (runs_into(*pair, near)) pair->mover_b = mover_of(near.shapes.records[pair->shape_b].body, key, near);
+    if (near.shapes.records[other].body == movers_[mover].body) return;
+    Pair pair = pair_of(mover, shape, other, key, near);
+    const PairVerdict verdict = judge(pair, near);
+    if (!verdict.makes_contact) return;
+    if (verdict.is_sensor) return sensor_pairs_.push_back(pair);
+    if (runs_into(pair, near)) pair.mover_b = mover_of(near.shapes.records[pair.shape_b].body, key, near);
     const auto index = static_cast<std::uint32_t>(late_pairs_.size());
-    late_pairs_.push_back({*pair, null_index, null_index});
-    late_pairs_[index].next_of_a = std::exchange(movers_[pair->mover_a].first_late, index);
-    if (pair->mover_b != null_index) late_pairs_[index].next_of_b = std::exchange(movers_[pair->mover_b].first_late, index);
+    late_pairs_.push_back({pair, null_index, null_index});
+    late_pairs_[index].next_of_a = std::exchange(movers_[pair.mover_a].first_late, index);
+    if (pair.mover_b != null_index) late_pairs_[index].next_of_b = std::exchange(movers_[pair.mover_b].first_late, index);
 }
 
 } // namespace carom::detail

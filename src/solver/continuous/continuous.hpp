@@ -20,6 +20,7 @@
 #include "dynamics/contact_rules.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/finalize_bodies.hpp"
+#include "dynamics/find_pairs.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "geometry/time_of_impact.hpp"
@@ -28,7 +29,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory_resource>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -105,7 +105,6 @@ private:
         std::uint32_t shape_a;
         std::uint32_t shape_b;
         PairKey key;
-        bool is_sensor;
     };
 
     /// Found when a body left its own way.
@@ -156,7 +155,8 @@ private:
     bool may_meet(const ShapeWay& way, const Pair& pair, const Surroundings& near) const;
     void judge_candidates(const Surroundings& near);
     PairKey key_of(std::uint32_t way, std::uint32_t other) const;
-    std::optional<Pair> pair_of(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, PairKey key, const Surroundings& near) const;
+    Pair pair_of(std::uint32_t mover, std::uint32_t shape, std::uint32_t other, PairKey key, const Surroundings& near) const;
+    PairVerdict judge(const Pair& pair, const Surroundings& near) const;
     bool runs_into(const Pair& pair, const Surroundings& near) const;
     const Sweep& way_for_order(std::uint32_t mover, PairKey key) const;
     template <class Action>
@@ -216,9 +216,10 @@ void ContinuousCollision::for_each_pair(std::uint32_t mover, const Surroundings&
             const std::uint32_t finder = finds_other ? shape : other;
             const std::uint32_t found = finds_other ? other : shape;
             const std::uint32_t way = way_of_shape_[finder];
-            const std::optional<Pair> pair = pair_of(ways_[way].mover, finder, found, key_of(way, found), near);
-            const bool is_of_mover = pair && !pair->is_sensor && (pair->mover_a == mover || pair->mover_b == mover);
-            if (is_of_mover) action(*pair);
+            if (near.shapes.records[other].body == m.body || near.shapes.records[finder].is_sensor || near.shapes.records[found].is_sensor)
+                continue;
+            const Pair pair = pair_of(ways_[way].mover, finder, found, key_of(way, found), near);
+            if (pair.mover_a == mover || pair.mover_b == mover) action(pair);
         }
     }
     for (std::uint32_t p = movers_[mover].first_late; p != null_index; p = next_late(p, mover)) action(late_pairs_[p].pair);

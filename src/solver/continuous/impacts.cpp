@@ -4,6 +4,7 @@
 #include "dynamics/one_sided.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
+#include "solver/continuous/stays_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,12 +117,11 @@ void ContinuousCollision::seek_impact(const Pair& pair, float after, const Surro
     float thickness = near.shapes.extents[shape].inner;
     float other_thickness = near.shapes.extents[other].inner;
     const float thinner = other_thickness > 0 ? std::min(thickness, other_thickness) : thickness;
-    const auto is_dynamic = [&](std::uint32_t s) { return near.bodies.is_dynamic(near.shapes.records[s].body); };
-    const auto is_held = [&](std::uint32_t s) { return near.bodies.records[near.shapes.records[s].body].first_joint != null_index; };
-    const bool are_held = is_held(pair.shape_a) && is_held(pair.shape_b);
+    const BodyRecord* still = pair.mover_b == null_index ? &near.bodies.records[near.shapes.records[pair.shape_b].body] : nullptr;
+    const bool are_held = movers_[pair.mover_a].is_held && (still ? still->first_joint != null_index : movers_[pair.mover_b].is_held);
     const bool has_bullet = movers_[pair.mover_a].is_bullet || (pair.mover_b != null_index && movers_[pair.mover_b].is_bullet);
     const float least_way = has_bullet ? 0 : fast_way(thinner, tolerances);
-    const bool are_dynamic = is_dynamic(pair.shape_a) && is_dynamic(pair.shape_b);
+    const bool are_dynamic = movers_[pair.mover_a].can_stop && (still ? still->type == BodyType::Dynamic : movers_[pair.mover_b].can_stop);
     const bool are_crowded = !has_bullet && !are_held && length(way_of_center(way_a) - way_of_center(way_b)) < crowded_way * thinner;
     // In a crowd the thicker one's core counts: what stirs it is left to its contacts, and turns as fast as its spin says.
     const bool are_both_fast = pair.mover_b != null_index && movers_[pair.mover_b].is_fast;
@@ -140,6 +140,7 @@ void ContinuousCollision::seek_impact(const Pair& pair, float after, const Surro
     const ConvexPoints points_b = convex_points(near.shapes.geometry[other]);
     const float apart = tolerances.impact_distance + tolerances.linear_slop; // well above the rounding of either answer
     if (stays_apart(core_of(geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
+    if (!judge(pair, near).makes_contact) return;
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})

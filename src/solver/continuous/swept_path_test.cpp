@@ -1,5 +1,6 @@
 // The rough test must let through all that the exact one finds.
 #include "geometry/random_shapes.hpp"
+#include "solver/continuous/stays_apart.hpp"
 #include "solver/continuous/swept_path.hpp"
 
 #include <carom/shape.hpp>
