@@ -30,15 +30,15 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
         place_in_moved.push_back(null_index);
     }
     records[slot] = {.body = body,
-                     .density = def.density,
                      .is_sensor = def.is_sensor,
                      .contact_events = def.contact_events,
                      .persist_events = def.persist_events,
                      .sensor_events = def.sensor_events,
                      .hit_events = def.hit_events,
                      .pre_solve = def.pre_solve,
-                     .material = def.material,
                      .filter = def.filter,
+                     .density = def.density,
+                     .material = def.material,
                      .user_data = def.user_data};
     geometry[slot] = shape;
     extents[slot] = extent_of(shape);

@@ -15,7 +15,7 @@
 namespace carom::detail
 {
 
-/// What the hot loops don't read of a shape, by slot.
+/// What the hot loops don't read of each shape, by slot. What tells whether two shapes may meet comes first, side by side.
 struct ShapeRecord
 {
     std::uint32_t body = null_index;
@@ -25,15 +25,15 @@ struct ShapeRecord
     std::uint32_t previous_in_chain = null_index; ///< the segment that ends where this one starts
     std::uint32_t next_in_chain = null_index;
     bool is_one_sided = false; ///< a segment that is solid on the right of the way from p1 to p2 only
-    float density = 1;
     bool is_sensor = false;
     bool contact_events = true;
     bool persist_events = false;
     bool sensor_events = true;
     bool hit_events = false;
     bool pre_solve = false;
-    Material material;
     Filter filter;
+    float density = 1;
+    Material material;
     std::uint64_t user_data = 0;
     /// The number of steps when an edit last made it meet others: put it there, moved it, changed its filter.
     std::uint64_t placed_at = never;
