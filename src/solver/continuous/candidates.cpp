@@ -5,10 +5,12 @@
 // and for shapes that have left these bounds a search of the broad phase. Pairs that come to nothing are not kept: when the way of a body
 // changes, its pairs are looked up again.
 #include "solver/continuous/continuous.hpp"
+#include "solver/continuous/stays_apart.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <variant>
 
 namespace carom::detail
 {
@@ -228,7 +230,13 @@ bool ContinuousCollision::may_meet(const ShapeWay& way, const Pair& pair, const 
     const bool is_bullet = pair.mover_b != null_index && movers_[pair.mover_b].is_bullet;
     const float least_way = is_bullet ? 0 : rounding_share * std::min(way.least_way, fast_way(extent.inner, shapes.tolerances));
     const SweptPath path = path_of(extent, rest_of_way(pair.mover_b, pair.shape_b, 0, near));
-    return may_pass_through(way.path, path, least_way, 0, shapes.tolerances.linear_slop);
+    if (!may_pass_through(way.path, path, least_way, 0, shapes.tolerances.linear_slop)) return false;
+    // The disc around a wall holds much that is nowhere near it.
+    const auto* polygon = std::get_if<Polygon>(&shapes.geometry[pair.shape_b]);
+    if (!polygon || pair.mover_b != null_index) return true;
+    const Transform& place = near.bodies.poses[shapes.records[pair.shape_b].body].transform;
+    const float apart = way.path.reach + polygon->radius + distance_apart(shapes.tolerances);
+    return !stays_beyond_a_face(*polygon, place, way.path.from, way.path.from + way.path.way, apart);
 }
 
 void ContinuousCollision::judge_candidates(const Surroundings& near)

@@ -138,7 +138,7 @@ void ContinuousCollision::seek_impact(const Pair& pair, float after, const Surro
 
     const Geometry& geometry = near.shapes.geometry[shape];
     const ConvexPoints points_b = convex_points(near.shapes.geometry[other]);
-    const float apart = tolerances.impact_distance + tolerances.linear_slop; // well above the rounding of either answer
+    const float apart = distance_apart(tolerances);
     if (stays_apart(core_of(geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
     if (!judge(pair, near).makes_contact) return;
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
