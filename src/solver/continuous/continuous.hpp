@@ -86,8 +86,8 @@ private:
         std::uint32_t first_late = null_index; ///< of its pairs in late_pairs_
     };
 
-    /// A shape of a fast body on its way: what tells most pairs apart, side by side in memory.
-    struct ShapeWay
+    /// A shape of a fast body on its way: what tells most pairs apart, in one cache line.
+    struct alignas(64) ShapeWay
     {
         SweptPath path;
         Aabb bounds;     ///< hold the whole way
