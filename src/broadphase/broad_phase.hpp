@@ -89,6 +89,14 @@ public:
         find_pairs(moved, list);
     }
 
+    /// The same outside of the search of a step, whose counts of pairs stand.
+    void find_more_pairs(std::span<const ProxyIndex> moved, PairList& pairs)
+    {
+        const BroadPhaseStats kept = stats_;
+        search_pairs(moved, pairs);
+        stats_ = {kept.pairs_tested, kept.pairs_found, stats_.nodes};
+    }
+
     // Queries see the boxes as they are at the moment, whether or not find_pairs was called since. Several threads may query at once, while
     // nobody changes anything. They are not const because the first one after a change brings the structure up to date; it costs no
     // more than what changed, and what is new is built in when it has become much. Only that may allocate, and a query that runs out of memory there has

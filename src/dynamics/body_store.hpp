@@ -73,7 +73,7 @@ struct BodyPose
     Vec2 local_center;   ///< of mass, in the body's frame [m]
 };
 
-/// The rest of a body, by slot.
+/// The rest of a body, by slot. What a step reads of most bodies comes first, side by side.
 struct BodyRecord
 {
     // Told of its allocator by the array that it lies in, so that a copy's name comes from the copy's memory.
@@ -95,6 +95,17 @@ struct BodyRecord
     bool is_bullet = false;
     bool has_mass_override = false;
     MotionLocks locks;
+    std::uint32_t first_shape = null_index;
+    std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
+    std::uint32_t first_joint = null_index;   ///< joint edge, see JointStore
+    float inner_radius = 0;                   ///< see BodyWatch
+    float outer_radius = 0;
+    std::uint32_t island = null_index; ///< of a dynamic body that is enabled
+    std::uint32_t previous_in_island = null_index;
+    std::uint32_t next_in_island = null_index;
+    std::uint32_t color_mask = 0; ///< solver colours in use by this body's contacts
+    std::uint32_t last_shape = null_index;
+    std::uint32_t shape_count = 0;
     float linear_damping = 0;
     float angular_damping = 0;
     float gravity_scale = 1;
@@ -103,17 +114,6 @@ struct BodyRecord
     MassData shapes_mass;   ///< of all its shapes together; static bodies have it too
     MassData mass_override; ///< as the user gave it
     MassData mass;          ///< of the two the one that counts, as the solver uses it
-    std::uint32_t first_shape = null_index;
-    std::uint32_t last_shape = null_index;
-    std::uint32_t shape_count = 0;
-    std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
-    float inner_radius = 0;                   ///< see BodyWatch
-    float outer_radius = 0;
-    std::uint32_t island = null_index; ///< of a dynamic body that is enabled
-    std::uint32_t previous_in_island = null_index;
-    std::uint32_t next_in_island = null_index;
-    std::uint32_t first_joint = null_index; ///< joint edge, see JointStore
-    std::uint32_t color_mask = 0;           ///< solver colours in use by this body's contacts
     std::uint64_t user_data = 0;
     std::uint64_t put_to_sleep_at = never; ///< the number of steps when the user last did so
     Transform goal;                        ///< where Body::move_to leads it, while its watch says that it has a goal

@@ -35,27 +35,36 @@ bool is_fast(const Sweep& sweep, const BodyWatch& watch, BodyType type, const To
     return way > fast_way(watch.inner_radius, tolerances);
 }
 
-/// The fat bounds of a fast body's shapes hold all of its way.
-void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase)
+/// New bounds of a fast body's shapes: the fat ones hold all of its way. The broad phase keeps its box while that holds the way too.
+void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase,
+                  std::pmr::vector<std::uint32_t>& strayed)
 {
+    const Transform& transform = bodies.poses[body].transform;
     const bool turns = std::abs(sweep.turn) > 0.1f;
     const float reach = bodies.records[body].outer_radius;
     const Aabb around = merge(Aabb{sweep.center_start, sweep.center_start}, Aabb{sweep.center_end, sweep.center_end});
     for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
     {
         ShapeBounds& bounds = shapes.bounds[s];
-        const Aabb ends = merge(bounds_of(shapes.geometry[s], sweep.at(0)), bounds.tight);
-        bounds.fat =
+        const Aabb start = bounds.tight;
+        bounds.tight = bounds_of(shapes.geometry[s], transform);
+        const Aabb ends = merge(start, bounds.tight);
+        const Aabb way =
             expanded(turns ? merge(ends, expanded(around, reach)) : expanded(ends, std::abs(sweep.turn) * std::abs(sweep.turn) * reach),
                      shapes.tolerances.linear_slop);
-        broad_phase.update(s, bounds.fat);
+        const bool has_strayed = !contains(bounds.fat, way);
+        bounds.fat = way;
         shapes.mark_moved(s);
+        if (!has_strayed) continue;
+        broad_phase.update(s, way);
+        strayed.push_back(s);
     }
 }
 
 } // namespace
 
-void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way)
+void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way,
+                    std::pmr::vector<std::uint32_t>* strayed)
 {
     const Transform& transform = bodies.poses[body].transform;
     for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
@@ -66,6 +75,7 @@ void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& sha
         bounds.fat = fattened(bounds.tight, way, shapes.tolerances.max_bounds_margin);
         broad_phase.update(s, bounds.fat);
         shapes.mark_moved(s);
+        if (strayed) strayed->push_back(s);
     }
 }
 
@@ -120,9 +130,10 @@ bool is_at_rest(BodyWatch& watch, const BodyMotion& motion, const Sweep& sweep, 
 } // namespace
 
 void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
-                     std::pmr::vector<LostBody>& lost, std::pmr::vector<FastBody>* fast)
+                     std::pmr::vector<LostBody>& lost, FastMotion* fast)
 {
-    if (fast) make_room(*fast, bodies.motions.size());
+    if (fast) make_room(fast->bodies, bodies.motions.size());
+    if (fast) make_room(fast->strayed_shapes, shapes.records.size());
     make_room(lost, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
@@ -155,10 +166,15 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         const bool rests = is_at_rest(watch, motion, sweep, dt, sleep_speed) && watch.can_sleep && !watch.is_driven;
         watch.rest_time = rests ? watch.rest_time + dt : 0;
         watch.is_driven = false;
-        refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
-        if (!fast || !is_fast(sweep, watch, record.type, shapes.tolerances)) continue;
-        fast->push_back({motion.slot, sweep});
-        widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase);
+        if (fast && is_fast(sweep, watch, record.type, shapes.tolerances))
+        {
+            fast->bodies.push_back({motion.slot, sweep});
+            widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase, fast->strayed_shapes);
+        }
+        else
+        {
+            refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v, fast ? &fast->strayed_shapes : nullptr);
+        }
     }
 }
 

@@ -24,6 +24,17 @@ struct FastBody
     Sweep sweep;
 };
 
+/// What the motion of a step leaves for continuous collision to look at.
+struct FastMotion
+{
+    explicit FastMotion(std::pmr::memory_resource& memory) : bodies(&memory), strayed_shapes(&memory) {}
+
+    std::pmr::vector<FastBody> bodies;
+    /// Shapes, of fast bodies or not, that have left the fat bounds of the last search for pairs. All others are near only those that they
+    /// have contacts with.
+    std::pmr::vector<std::uint32_t> strayed_shapes;
+};
+
 /// Fat bounds reach ahead along the velocity for this many steps: fewer searches for pairs, against more false pairs.
 inline constexpr float steps_ahead = 2;
 
@@ -53,12 +64,15 @@ inline float fast_way(float inner_radius, const Tolerances& tolerances) { return
 /// was, at rest.
 /// @param sleep_speed bodies that are slower, and drift no farther than rest_drift, are at rest; BodyWatch keeps for how long [m/s]
 /// @param lost such bodies, to be disabled; appended to
-/// @param fast bodies that moved by more than half their size, and bullets; appended to, and their fat bounds hold the whole
-///             displacement; null: not asked
+/// @param fast bodies that moved by more than half their size, and bullets; appended to, and the fat bounds of their shapes hold the whole
+///             displacement. The broad phase keeps the older ones where these hold it too. Null: not asked
 void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt, float sleep_speed,
-                     std::pmr::vector<LostBody>& lost, std::pmr::vector<FastBody>* fast);
+                     std::pmr::vector<LostBody>& lost, FastMotion* fast);
 
-/// New bounds of all shapes of a body that was moved by hand; they are marked as moved when they leave the fat ones.
-void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way);
+/// New bounds of all shapes of a body that has moved; they are marked as moved when they leave the fat ones.
+/// @param way     see fattened()
+/// @param strayed shapes that have left their fat bounds; appended to; may be null
+void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way,
+                    std::pmr::vector<std::uint32_t>* strayed = nullptr);
 
 } // namespace carom::detail

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace carom::detail::finalize_bodies_test
 {
@@ -25,12 +26,13 @@ protected:
     }
     BodyMotion& motion(std::uint32_t body) { return scene.bodies.motions[scene.bodies.motion_index[body]]; }
     BodyWatch& watch(std::uint32_t body) { return scene.bodies.watches[scene.bodies.motion_index[body]]; }
-    void finalize() { finalize_bodies(scene.bodies, scene.shapes, *broad_phase, step_time, 0.05f, lost, &fast); }
+    void finalize() { finalize_bodies(scene.bodies, scene.shapes, *broad_phase, step_time, 0.05f, lost, &motions); }
 
     SmallScene scene;
     BroadPhasePtr broad_phase = make_broad_phase(BroadPhaseType::BruteForce, {}, scene.memory);
     std::pmr::vector<LostBody> lost{&scene.memory};
-    std::pmr::vector<FastBody> fast{&scene.memory};
+    FastMotion motions{scene.memory};
+    std::pmr::vector<FastBody>& fast = motions.bodies;
 };
 
 TEST_F(FinalizeBodiesTest, poses_take_over_the_displacement_and_forces_end)
@@ -118,6 +120,27 @@ TEST_F(FinalizeBodiesTest, bodies_are_fast_from_half_their_inner_radius_and_bull
     EXPECT_LT(distance(fast[0].sweep.center_end, {3.26f, 0}), 1e-6f);
     EXPECT_LT(scene.shapes.bounds[swift].fat.min.x, 2.5f) << "its bounds hold the whole way";
     EXPECT_GT(scene.shapes.bounds[swift].fat.max.x, 3.76f);
+}
+
+TEST_F(FinalizeBodiesTest, shapes_stray_when_their_displacement_leaves_the_fat_bounds)
+{
+    const std::uint32_t slow = add({});
+    const std::uint32_t slow_out = add({.position = {3, 0}});
+    const std::uint32_t swift = add({.position = {6, 0}});
+    const std::uint32_t swift_out = add({.position = {9, 0}});
+    const std::uint32_t there_and_back = add({.position = {12, 0}}, box(2, 1));
+    scene.shapes.bounds[swift].fat = expanded(scene.shapes.bounds[swift].fat, 1);
+    scene.shapes.bounds[there_and_back].fat = expanded(scene.shapes.bounds[there_and_back].tight, 0.2f);
+    motion(slow).dp = {0.05f, 0}; // the fat bounds are 0.1 m wider
+    motion(slow_out).dp = {0.15f, 0};
+    motion(swift).dp = {0.3f, 0};
+    motion(swift_out).dp = {0.3f, 0};
+    motion(there_and_back).dq = rotation(pi); // half a turn: its corners leave the bounds, and come back
+    finalize();
+    EXPECT_EQ(fast.size(), 3u);
+    const std::pmr::vector<std::uint32_t>& strayed = motions.strayed_shapes;
+    EXPECT_EQ(std::vector(strayed.begin(), strayed.end()), (std::vector{slow_out, swift_out, there_and_back}));
+    EXPECT_LT(scene.shapes.bounds[swift].fat.max.x, 6.9f) << "no more than its way";
 }
 
 TEST_F(FinalizeBodiesTest, a_turn_of_more_than_half_a_circle_is_told_by_the_spin)

@@ -30,22 +30,28 @@ constexpr std::size_t least_most_pairs = std::size_t{1} << 19;
 /// Pairs allowed for each shape when the user sets no limit. Packed discs have 3, boxes 4; rubble of mixed sizes, with its fat bounds, up to 10.
 constexpr std::size_t most_pairs_of_a_shape = 64;
 
-/// Drops pairs that may not meet, and those that are contacts already.
+/// Drops pairs that may not meet, and those that are contacts already. Most have been near each other since the last search: four comparisons
+/// tell, and neither the records of the shapes nor the set of known pairs are read.
 class NewsFilter final : public PairFilter
 {
 public:
-    NewsFilter(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, const PairSet& known)
+    /// @param asks_hooks pairs that a hook has refused are asked about again
+    NewsFilter(const ShapeStore& shapes, const BodyStore& bodies, const JointStore& joints, const PairSet& known, bool asks_hooks)
         : shapes_(shapes),
           bodies_(bodies),
           joints_(joints),
-          known_(known)
+          known_(known),
+          asks_hooks_(asks_hooks)
     {
     }
 
     void filter(std::pmr::vector<ProxyPair>& pairs, std::size_t first) override
     {
         const auto is_no_news = [this](ProxyPair pair)
-        { return !judge_pair(shapes_, bodies_, joints_, pair).makes_contact || known_.contains(pair); };
+        {
+            if (!asks_hooks_ && overlaps(shapes_.searched[pair.a], shapes_.searched[pair.b])) return true;
+            return !judge_pair(shapes_, bodies_, joints_, pair).makes_contact || known_.contains(pair);
+        };
         pairs.erase(std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), is_no_news), pairs.end());
     }
 
@@ -54,6 +60,7 @@ private:
     const BodyStore& bodies_;
     const JointStore& joints_;
     const PairSet& known_;
+    bool asks_hooks_;
 };
 
 /// Looks for the crowd among the contacts and the new pairs. A shape of the ground has many pairs in good order, so only dynamic bodies count.
@@ -110,7 +117,7 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
         return {};
     }
     std::pmr::vector<ProxyPair> found(&scratch);
-    NewsFilter filter(shapes, bodies, joints, known);
+    NewsFilter filter(shapes, bodies, joints, known, rules.hooks != nullptr);
     const std::size_t most = most_pairs(rules, shapes);
     PairList list(found, filter, most - std::min(most, known.size()));
     broad_phase.find_pairs(shapes.moved, list);
@@ -140,7 +147,7 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
         known.insert(pair);
         any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));
     }
-    shapes.clear_moved(); // last: if memory runs out above, the next step looks for the pairs again
+    shapes.end_search(rules.hooks == nullptr); // last: if memory runs out above, the next step looks for the pairs again
     return {.has_idle = any_idle};
 }
 

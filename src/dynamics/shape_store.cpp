@@ -1,6 +1,7 @@
 // Adds and removes shapes, and keeps the list of those that moved.
 #include "dynamics/shape_store.hpp"
 
+#include "broadphase/box4.hpp"
 #include "dynamics/contact_store.hpp"
 #include "memory/make_room.hpp"
 
@@ -16,6 +17,7 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
     detail::make_room(geometry, count);
     detail::make_room(extents, count);
     detail::make_room(bounds, count);
+    detail::make_room(searched, count);
     detail::make_room(place_in_moved, count);
     detail::make_room(moved, count); // so that marking a shape never allocates
     const std::uint32_t slot = slots.acquire();
@@ -25,22 +27,24 @@ std::uint32_t ShapeStore::create(std::uint32_t body, Geometry shape, const Shape
         geometry.emplace_back();
         extents.emplace_back();
         bounds.emplace_back();
+        searched.push_back(empty_box);
         place_in_moved.push_back(null_index);
     }
     records[slot] = {.body = body,
-                     .density = def.density,
                      .is_sensor = def.is_sensor,
                      .contact_events = def.contact_events,
                      .persist_events = def.persist_events,
                      .sensor_events = def.sensor_events,
                      .hit_events = def.hit_events,
                      .pre_solve = def.pre_solve,
-                     .material = def.material,
                      .filter = def.filter,
+                     .density = def.density,
+                     .material = def.material,
                      .user_data = def.user_data};
     geometry[slot] = shape;
     extents[slot] = extent_of(shape);
     bounds[slot] = {};
+    forget_search(slot);
     return slot;
 }
 
@@ -53,6 +57,7 @@ void ShapeStore::shrink()
     cut(geometry, slots.size());
     cut(extents, slots.size());
     cut(bounds, slots.size());
+    cut(searched, slots.size());
     cut(place_in_moved, slots.size());
     cut(moved, moved.size());
     make_room();
@@ -71,6 +76,7 @@ void ShapeStore::reserve(std::size_t count)
     geometry.reserve(count);
     extents.reserve(count);
     bounds.reserve(count);
+    searched.reserve(count);
     moved.reserve(count);
     place_in_moved.reserve(count);
 }
@@ -80,6 +86,20 @@ void ShapeStore::mark_moved(std::uint32_t slot)
     if (place_in_moved[slot] != null_index) return;
     place_in_moved[slot] = static_cast<std::uint32_t>(moved.size());
     moved.push_back(slot);
+}
+
+void ShapeStore::mark_changed(std::uint32_t slot)
+{
+    forget_search(slot);
+    mark_moved(slot);
+}
+
+void ShapeStore::forget_search(std::uint32_t slot) { searched[slot] = empty_box; }
+
+void ShapeStore::end_search(bool keeps)
+{
+    for (const std::uint32_t slot : moved) searched[slot] = keeps ? bounds[slot].fat : empty_box;
+    clear_moved();
 }
 
 void ShapeStore::unmark_moved(std::uint32_t slot)

@@ -17,7 +17,7 @@ namespace carom::detail
 
 struct Contact;
 
-/// What the hot loops don't read of a shape, by slot.
+/// What the hot loops don't read of each shape, by slot. What tells whether two shapes may meet comes first, side by side.
 struct ShapeRecord
 {
     std::uint32_t body = null_index;
@@ -27,15 +27,15 @@ struct ShapeRecord
     std::uint32_t previous_in_chain = null_index; ///< the segment that ends where this one starts
     std::uint32_t next_in_chain = null_index;
     bool is_one_sided = false; ///< a segment that is solid on the right of the way from p1 to p2 only
-    float density = 1;
     bool is_sensor = false;
     bool contact_events = true;
     bool persist_events = false;
     bool sensor_events = true;
     bool hit_events = false;
     bool pre_solve = false;
-    Material material;
     Filter filter;
+    float density = 1;
+    Material material;
     std::uint64_t user_data = 0;
     /// The number of steps when an edit last made it meet others: put it there, moved it, changed its filter.
     std::uint64_t placed_at = never;
@@ -58,6 +58,7 @@ public:
           geometry(&memory),
           extents(&memory),
           bounds(&memory),
+          searched(&memory),
           moved(&memory),
           place_in_moved(&memory)
     {
@@ -75,6 +76,12 @@ public:
 
     /// Asks for new pairs of this shape in the next step.
     void mark_moved(std::uint32_t slot);
+    /// The same after an edit: pairs that could not be contacts before may be now.
+    void mark_changed(std::uint32_t slot);
+    /// The next search judges every pair of this shape, also those whose bounds overlapped in the last one.
+    void forget_search(std::uint32_t slot);
+    /// The search for pairs is over. @param keeps whether each pair that it found was judged by the stores alone
+    void end_search(bool keeps);
     void unmark_moved(std::uint32_t slot);
     void clear_moved();
 
@@ -84,6 +91,8 @@ public:
     std::pmr::vector<Geometry> geometry;
     std::pmr::vector<Extent> extents; ///< of the geometry
     std::pmr::vector<ShapeBounds> bounds;
+    /// The fat bounds in the last search for pairs, or an empty box. Where those of two shapes overlap, the pair is a contact or must not be one.
+    std::pmr::vector<Aabb> searched;
     std::pmr::vector<std::uint32_t> moved;          ///< slots whose fat bounds are new since the last search for pairs, in any order
     std::pmr::vector<std::uint32_t> place_in_moved; ///< by slot; null_index when not there
 };

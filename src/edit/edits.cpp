@@ -34,7 +34,7 @@ void insert_proxy(WorldState& world, std::uint32_t shape)
     bounds.tight = detail::bounds_of(world.shapes.geometry[shape], world.bodies.poses[body].transform);
     bounds.fat = fattened(bounds.tight, {}, world.shapes.tolerances.max_bounds_margin);
     world.broad_phase->insert(shape, bounds.fat, kind_of(world, body));
-    world.shapes.mark_moved(shape);
+    world.shapes.mark_changed(shape);
     world.shapes.records[shape].placed_at = world.step_count;
     world.must_review = true;
 }
@@ -202,6 +202,8 @@ void destroy_contact(WorldState& world, std::uint32_t contact)
         world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
     }
     take_color(contact, world.contacts, world.bodies);
+    const auto& searched = world.shapes.searched;
+    if (overlaps(searched[pair.shape_a], searched[pair.shape_b])) world.shapes.forget_search(pair.shape_a); // of one is enough
     world.pairs.erase({pair.shape_a, pair.shape_b});
     world.contacts.destroy(contact, world.bodies);
 }
@@ -250,7 +252,7 @@ void set_filter(WorldState& world, std::uint32_t shape, const Filter& filter)
         if (!judge_pair(world.shapes, world.bodies, world.joints, {contact.shape_a, contact.shape_b}).makes_contact)
             destroy_contact(world, slot);
     });
-    if (world.bodies.records[record.body].is_enabled) world.shapes.mark_moved(shape);
+    if (world.bodies.records[record.body].is_enabled) world.shapes.mark_changed(shape);
 }
 
 void set_body_type(WorldState& world, std::uint32_t body, BodyType type)

@@ -66,7 +66,7 @@ void seek_pairs(WorldState& world, std::uint32_t body)
 {
     if (!world.bodies.records[body].is_enabled) return;
     for (std::uint32_t s = world.bodies.records[body].first_shape; s != null_index; s = world.shapes.records[s].next_of_body)
-        world.shapes.mark_moved(s);
+        world.shapes.mark_changed(s);
     world.must_review = true;
 }
 

@@ -138,7 +138,7 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
 /// From motions to poses.
 void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, StageRunner& run)
 {
-    std::pmr::vector<FastBody> fast(&world.arena);
+    FastMotion fast(world.arena);
     run(Stage::FinalizeBodies, [&]
     {
         std::pmr::vector<LostBody> lost(&world.arena);
@@ -146,9 +146,10 @@ void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, S
                         world.is_continuous ? &fast : nullptr);
         put_aside(world, lost);
     });
-    run(Stage::Continuous, [&] {
-        continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
-                       steps_ahead * dt);
+    run(Stage::Continuous, [&]
+    {
+        continuous.run(fast.bodies, fast.strayed_shapes, world.bodies, world.shapes, world.joints, world.contacts, world.rules,
+                       *world.broad_phase, dt, steps_ahead * dt);
     });
 }
 

@@ -1,10 +1,16 @@
 #include "solver/continuous/continuous.hpp"
 
+#include "broadphase/pair_set.hpp"
 #include "dynamics/dynamics_test.hpp"
+#include "dynamics/find_pairs.hpp"
+#include "dynamics/narrow_phase.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <span>
 #include <vector>
 
 namespace carom::detail::continuous_test
@@ -38,9 +44,14 @@ protected:
         bounds.fat = expanded(merge(bounds_of(geometry, {from, {}}), bounds.tight), 0.01f);
         broad_phase->update(body, bounds.fat);
         fast.push_back({body, {{}, from, to, {}, 0}});
+        strayed.push_back(body);
         return body;
     }
-    void run() { continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time); }
+    void run(ContinuousCollision& collision, std::span<const FastBody> bodies)
+    {
+        collision.run(bodies, strayed, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+    }
+    void run() { run(continuous, fast); }
     Vec2 place(std::uint32_t body) const { return scene.bodies.poses[body].center; }
 
     SmallScene scene;
@@ -48,6 +59,7 @@ protected:
     JointStore joints{scene.memory};
     ContactRules rules;
     std::vector<FastBody> fast;
+    std::vector<std::uint32_t> strayed;
     ContinuousCollision continuous{scene.memory};
 };
 
@@ -92,7 +104,7 @@ TEST_F(ContinuousTest, a_one_sided_segment_stops_only_what_comes_from_its_front)
         const std::uint32_t ball = flying(circle(0.1f), {0, y}, {10, y});
         fast = {fast.back()};
         ContinuousCollision once{scene.memory};
-        once.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+        run(once, fast);
         EXPECT_NEAR(place(ball).x, from_front ? 4.9f : 10.0f, 0.005f) << from_front;
     }
 }
@@ -159,9 +171,102 @@ TEST_F(ContinuousTest, a_bullet_is_stopped_at_what_it_hardly_enters_whichever_of
         const std::uint32_t second = is_ball_first ? crate() : ball();
         const std::vector<FastBody> both(fast.begin() + static_cast<std::ptrdiff_t>(before), fast.end());
         ContinuousCollision once{scene.memory};
-        once.run(both, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+        run(once, both);
         EXPECT_GT(std::abs(place(first).x - place(second).x), 0.599f) << i;
     }
+}
+
+/// Discs that fly about in a box at speeds at which all of them are fast: without a solver, so that only continuous collision stops them.
+class Swarm
+{
+public:
+    explicit Swarm(bool searches_everything) : searches_everything_(searches_everything)
+    {
+        for (const float side : {-2.0f, 2.0f})
+        {
+            add({.type = BodyType::Static, .position = {side, 0}}, box(0.2f, 5));
+            add({.type = BodyType::Static, .position = {0, side}}, box(5, 0.2f));
+        }
+        const std::uint32_t stirrer = add({.type = BodyType::Kinematic, .angular_velocity = 3}, box(3, 0.1f));
+        EXPECT_TRUE(scene.bodies.is_active(stirrer));
+        for (int i = 0; i < 150; ++i)
+            add({.position = place(), .linear_velocity = velocity()}, i % 3 == 0 ? Geometry{box(0.2f, 0.2f)} : circle(0.1f));
+    }
+
+    void step()
+    {
+        find_pairs(*broad_phase, scene.shapes, scene.bodies, joints, scene.contacts, known, {}, scene.memory);
+        ContactChanges changes(scene.memory);
+        update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes);
+        for (const std::uint32_t slot : changes.separated)
+        {
+            known.erase({scene.contacts.contacts[slot].shape_a, scene.contacts.contacts[slot].shape_b});
+            scene.contacts.destroy(slot, scene.bodies);
+        }
+        for (std::size_t i = 1; i < scene.bodies.motions.size(); ++i)
+        {
+            BodyMotion& motion = scene.bodies.motions[i];
+            if (scene.bodies.is_dynamic(motion.slot) && random() % 8 == 0) motion.v = velocity();
+            motion.dp = step_time * motion.v;
+            motion.dq = rotation(step_time * motion.w);
+        }
+        FastMotion fast(scene.memory);
+        std::pmr::vector<LostBody> lost(&scene.memory);
+        finalize_bodies(scene.bodies, scene.shapes, *broad_phase, step_time, 0.05f, lost, &fast);
+        strayed += fast.strayed_shapes.size();
+        moved += fast.bodies.size();
+        if (searches_everything_)
+            for (std::uint32_t shape = 0; shape < scene.shapes.records.size(); ++shape)
+                if (std::find(fast.strayed_shapes.begin(), fast.strayed_shapes.end(), shape) == fast.strayed_shapes.end())
+                    fast.strayed_shapes.push_back(shape);
+        ContinuousCollision continuous{scene.memory};
+        continuous.run(fast.bodies, fast.strayed_shapes, scene.bodies, scene.shapes, joints, scene.contacts, {}, *broad_phase, step_time,
+                       2 * step_time);
+        for (const BodyWatch& watch : scene.bodies.watches) set_back += watch.set_back != Vec2{};
+    }
+
+    SmallScene scene;
+    std::size_t moved = 0;
+    std::size_t strayed = 0;
+    std::size_t set_back = 0;
+
+private:
+    float number(float most) { return most * (static_cast<float>(random() % 2001) / 1000 - 1); }
+    Vec2 place() { return {number(1.7f), number(1.7f)}; }
+    Vec2 velocity() { return {number(6), number(6)}; }
+    std::uint32_t add(const BodyDef& def, const Geometry& geometry)
+    {
+        const std::uint32_t body = scene.add(def, geometry);
+        broad_phase->insert(body, scene.shapes.bounds[body].fat, def.type == BodyType::Static ? ProxyKind::Static : ProxyKind::Moving);
+        scene.shapes.mark_moved(body);
+        return body;
+    }
+
+    bool searches_everything_;
+    std::mt19937 random{5};
+    BroadPhasePtr broad_phase = make_broad_phase(BroadPhaseType::Tree, {}, scene.memory);
+    JointStore joints{scene.memory};
+    PairSet known{scene.memory};
+};
+
+TEST(ContinuousCandidates, contacts_and_what_strayed_lead_to_the_impacts_of_a_search_for_everything)
+{
+    Swarm quick(false);
+    Swarm thorough(true);
+    for (int i = 0; i < 100; ++i)
+    {
+        quick.step();
+        thorough.step();
+        ASSERT_EQ(quick.set_back, thorough.set_back) << i;
+        for (std::size_t body = 0; body < quick.scene.bodies.poses.size(); ++body)
+        {
+            ASSERT_EQ(quick.scene.bodies.poses[body].transform, thorough.scene.bodies.poses[body].transform) << i << ", body " << body;
+            ASSERT_EQ(quick.scene.shapes.bounds[body].fat, thorough.scene.shapes.bounds[body].fat) << i << ", body " << body;
+        }
+    }
+    EXPECT_GT(quick.set_back, 500u);
+    EXPECT_GT(quick.strayed, 500u);
+    EXPECT_LT(2 * quick.strayed, quick.moved) << "or contacts would not be looked at";
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // The rough test must let through all that the exact one finds.
 #include "geometry/random_shapes.hpp"
+#include "solver/continuous/stays_apart.hpp"
 #include "solver/continuous/swept_path.hpp"
 
 #include <carom/shape.hpp>
@@ -91,6 +92,33 @@ TEST(StaysApart, holds_back_nothing_that_meets_and_most_that_slides_along)
     EXPECT_TRUE(stays_apart(core, slide, floor, still, 0.01f));
     const Sweep fall = {.local_center = {}, .center_start = {0, 1}, .center_end = {20, 0.8f}, .q_start = {}, .turn = 0};
     EXPECT_FALSE(stays_apart(core, fall, floor, still, 0.01f));
+}
+
+TEST(StaysApart, a_disc_that_stays_beyond_a_face_does_not_meet_the_polygon)
+{
+    RandomShapes random(13);
+    int missed = 0;
+    int beyond = 0;
+    for (int i = 0; i < 8000; ++i)
+    {
+        const Geometry geometry = random.geometry_of(3, 0.5f);
+        const auto* polygon = std::get_if<Polygon>(&geometry);
+        ASSERT_TRUE(polygon);
+        const Transform place = {random.point(3), rotation(random.uniform(-pi, pi))};
+        const Sweep still = {.local_center = {}, .center_start = place.p, .center_end = place.p, .q_start = place.q, .turn = 0};
+        Sweep way = random_sweep(random);
+        way.local_center = {};
+        const float radius = 0.3f;
+        const float least = radius + polygon->radius + distance_apart(Tolerances{});
+        const bool is_beyond = stays_beyond_a_face(*polygon, place, way.center_start, way.center_end, least);
+        const Geometry disc = circle(radius);
+        const bool meets =
+            time_of_impact(convex_points(disc), way, convex_points(geometry), still, Tolerances{}.impact_distance).has_value();
+        EXPECT_FALSE(is_beyond && meets) << i;
+        missed += !meets;
+        beyond += is_beyond;
+    }
+    EXPECT_GT(2 * beyond, missed);
 }
 
 } // namespace carom::detail
