@@ -37,9 +37,9 @@ struct alignas(64) Joint
     std::uint32_t body_b = 0xffffffff;
     Transform frame_a; ///< seen from the body's origin
     Transform frame_b;
-    Vec2 force;                                ///< mean of the last step [N]
+    Vec2 force;                                   ///< mean of the last step [N]
     std::array<float, max_rigid_rows> rigid = {}; ///< impulses of the last substep
-    float torque = 0;                          ///< mean of the last step [N m]
+    float torque = 0;                             ///< mean of the last step [N m]
 
     float angle = 0;     ///< of frame B in frame A over full turns at the end of the last step [rad]
     float gear_slip = 0; ///< q_a + ratio q_b since the joint was made

@@ -23,7 +23,7 @@ inline constexpr std::array scenes = {
     SceneHash{"one-way", 0x4b5fe22b1b856faf},       SceneHash{"bullets", 0xb4d0097199098eca},
     SceneHash{"sleep", 0xcf6b1fdadf82e22d},         SceneHash{"bridge", 0xbfecb59540c950bc},
     SceneHash{"domino", 0xfd0acc9d993a2d16},        SceneHash{"newton-cradle", 0x77e4745f76f7ead1},
-    SceneHash{"card-house", 0x6cee91470a6ce9d},    SceneHash{"arch", 0x3707a202a135be0},
+    SceneHash{"card-house", 0x6cee91470a6ce9d},     SceneHash{"arch", 0x3707a202a135be0},
     SceneHash{"joints", 0xc54efb28961b65b2},        SceneHash{"ragdolls", 0x20fa9842eddd61c3},
     SceneHash{"car", 0xb8b718b3556c3689},           SceneHash{"mass-ratio", 0xdc30799c9a56cee6},
 };
