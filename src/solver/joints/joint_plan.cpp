@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace carom::detail
 {
@@ -61,6 +62,7 @@ JointPlan::JointPlan(std::pmr::memory_resource& memory)
       signature_(&memory),
       members_(&memory),
       kinds_(&memory),
+      kind_by_hash_(&memory),
       now_(&memory),
       parent_(&memory),
       number_(&memory),
@@ -71,6 +73,7 @@ JointPlan::JointPlan(std::pmr::memory_resource& memory)
       joints_(&memory),
       can_move_(&memory),
       same_kind_(&memory),
+      used_kinds_(&memory),
       single_(&memory)
 {
 }
@@ -109,7 +112,7 @@ bool JointPlan::update(const BodyStore& body_store, const JointStore& joints, in
     for (Component& component : components_)
     {
         name_bodies(component);
-        component.kind = kind_of(component);
+        component.kind = kind_in_hand();
         ++kinds_[component.kind].count;
     }
     place_single_rows(body_count, static_cast<std::uint32_t>(lanes));
@@ -196,18 +199,28 @@ void JointPlan::name_bodies(Component& component)
 }
 
 /// The kind of the component in hand, planned when it is the first.
-std::uint32_t JointPlan::kind_of(const Component&)
+std::uint32_t JointPlan::kind_in_hand()
 {
     std::uint64_t hash = can_move_.size();
     for (const PlannedJoint& j : joints_) hash = mixed(mixed(hash, std::uint64_t{j.ends.a} << 32 | j.ends.b), j.shape);
-    for (std::uint32_t k = 0; k < kinds_.size(); ++k)
-        if (kinds_[k].hash == hash && kinds_[k].joints == joints_ && kinds_[k].can_move == can_move_) return k;
+    auto known = std::lower_bound(kind_by_hash_.begin(), kind_by_hash_.end(), std::pair(hash, std::uint32_t{0}));
+    for (; known != kind_by_hash_.end() && known->first == hash; ++known)
+        if (kinds_[known->second].joints == joints_ && kinds_[known->second].can_move == can_move_) return known->second;
+    const auto index = static_cast<std::uint32_t>(kinds_.size());
+    kind_by_hash_.insert(known, {hash, index});
     Kind& kind = kinds_.emplace_back(*memory_);
     kind.hash = hash;
     kind.joints = joints_;
     kind.can_move = can_move_;
     kind.plan = eliminator_.plan(joints_, can_move_, *memory_);
-    return static_cast<std::uint32_t>(kinds_.size() - 1);
+    return index;
+}
+
+void JointPlan::index_kinds()
+{
+    kind_by_hash_.clear();
+    for (std::uint32_t k = 0; k < kinds_.size(); ++k) kind_by_hash_.emplace_back(kinds_[k].hash, k);
+    std::sort(kind_by_hash_.begin(), kind_by_hash_.end());
 }
 
 /// @return its lanes, all free
@@ -260,20 +273,32 @@ void JointPlan::place_single_rows(std::size_t body_count, std::uint32_t lanes)
     single_rows = rows.size();
 }
 
+/// Kinds in the order of their first mechanisms.
 void JointPlan::place_groups(std::uint32_t lanes)
 {
-    for (std::uint32_t first = 0; first < components_.size(); ++first)
+    used_kinds_.clear();
+    same_kind_.resize(components_.size());
+    std::uint32_t next = 0;
+    for (const Component& component : components_)
     {
-        Kind& kind = kinds_[components_[first].kind];
-        if (kind.count == 0 || kind.plan.is_net) continue; // it is in a group already, or in none
-        same_kind_.clear();
-        for (std::uint32_t c = first; same_kind_.size() < kind.count; ++c)
-            if (components_[c].kind == components_[first].kind) same_kind_.push_back(c);
+        Kind& kind = kinds_[component.kind];
+        if (kind.count == 0 || kind.plan.is_net) continue; // it has its place already, or is solved joint by joint
+        used_kinds_.push_back(component.kind);
+        kind.first = next;
+        next += kind.count;
         kind.count = 0;
-        for (std::span<const std::uint32_t> left = same_kind_; !left.empty();)
+    }
+    for (std::uint32_t c = 0; c < components_.size(); ++c)
+    {
+        Kind& kind = kinds_[components_[c].kind];
+        if (!kind.plan.is_net) same_kind_[kind.first + kind.count++] = c;
+    }
+    for (const std::uint32_t kind : used_kinds_)
+    {
+        for (auto left = std::span(std::as_const(same_kind_)).subspan(kinds_[kind].first, kinds_[kind].count); !left.empty();)
         {
             const std::size_t count = std::min<std::size_t>(left.size(), lanes);
-            place_group(components_[first].kind, left.first(count), count == 1 ? 1 : lanes); // one alone would waste the other lanes
+            place_group(kind, left.first(count), count == 1 ? 1 : lanes); // one alone would waste the other lanes
             left = left.subspan(count);
         }
     }
@@ -297,11 +322,9 @@ void JointPlan::place_group(std::uint32_t kind, std::span<const std::uint32_t> c
 void JointPlan::drop_unused_kinds()
 {
     constexpr std::size_t spare = 32;
-    std::size_t used = 0;
-    for (const PlannedGroup& group : groups) used += group.lanes > 0;
-    if (kinds_.size() <= 2 * used + spare) return;
-    same_kind_.assign(kinds_.size(), null_index);
-    for (const PlannedGroup& group : groups) same_kind_[group.kind] = 0;
+    if (kinds_.size() <= 2 * used_kinds_.size() + spare) return;
+    same_kind_.assign(kinds_.size(), null_index); // where each goes
+    for (const std::uint32_t kind : used_kinds_) same_kind_[kind] = 0;
     std::uint32_t kept = 0;
     for (std::uint32_t k = 0; k < kinds_.size(); ++k)
     {
@@ -312,6 +335,7 @@ void JointPlan::drop_unused_kinds()
     }
     kinds_.erase(kinds_.begin() + kept, kinds_.end());
     for (PlannedGroup& group : groups) group.kind = same_kind_[group.kind];
+    index_kinds();
 }
 
 } // namespace carom::detail

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory_resource>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace carom::detail
@@ -79,6 +80,7 @@ private:
         std::pmr::vector<std::uint8_t> can_move; ///< by body
         EliminationPlan plan;
         std::uint32_t count = 0; ///< of mechanisms in the plan
+        std::uint32_t first = 0; ///< of them in same_kind_
     };
 
     /// A mechanism: members_[order_[begin]] to before `end`, and its bodies in the order in which its joints name them.
@@ -95,11 +97,12 @@ private:
     static bool holds_rigidly(const Member& member);
     void find_components(std::size_t body_count);
     void name_bodies(Component& component);
-    std::uint32_t kind_of(const Component& component);
+    std::uint32_t kind_in_hand();
     void place_single_rows(std::size_t body_count, std::uint32_t lanes);
     void place_groups(std::uint32_t lanes);
     void place_group(std::uint32_t kind, std::span<const std::uint32_t> components, std::uint32_t lanes);
     std::uint32_t* place_row(std::uint32_t shape, std::uint32_t lanes);
+    void index_kinds();
     void drop_unused_kinds();
     std::uint32_t root_of(std::uint32_t body);
 
@@ -111,6 +114,7 @@ private:
     std::pmr::vector<Member> signature_; ///< in the order of the store's list
     std::pmr::vector<Member> members_;   ///< by slot
     std::pmr::vector<Kind> kinds_;
+    std::pmr::vector<std::pair<std::uint64_t, std::uint32_t>> kind_by_hash_; ///< rising
 
     // Scratch.
     std::pmr::vector<Member> now_;
@@ -122,7 +126,8 @@ private:
     std::pmr::vector<Component> components_;
     std::pmr::vector<PlannedJoint> joints_; ///< of the component in hand
     std::pmr::vector<std::uint8_t> can_move_;
-    std::pmr::vector<std::uint32_t> same_kind_;
+    std::pmr::vector<std::uint32_t> same_kind_; ///< components, kind by kind
+    std::pmr::vector<std::uint32_t> used_kinds_;
     std::pmr::vector<std::uint64_t> single_; ///< colour, shape and member of each that is solved by itself
 };
 
