@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace carom::detail
 {
@@ -14,16 +15,16 @@ namespace carom::detail
 namespace
 {
 
-/// Calls action(F{}) with the lanes of a row as they lie in memory.
+/// Calls action(std::type_identity<F>()), F being the lanes of a row as they lie in memory.
 template <class Action>
 void with_lanes(std::uint32_t lanes, Action&& action)
 {
     switch (lanes)
     {
-    case 4: return action(LaneArray<4>());
-    case 8: return action(LaneArray<8>());
-    case 16: return action(LaneArray<16>());
-    default: return action(float());
+    case 4: return action(std::type_identity<LaneArray<4>>());
+    case 8: return action(std::type_identity<LaneArray<8>>());
+    case 16: return action(std::type_identity<LaneArray<16>>());
+    default: return action(std::type_identity<float>());
     }
 }
 
@@ -138,7 +139,7 @@ void JointSolver::fill_rows(const BodyStore& bodies, const JointStore& joints, c
     for (std::size_t r = 0; r < plan_.rows.size(); ++r)
     {
         const PlannedRow planned = plan_.rows[r];
-        with_lanes(planned.lanes, [&]<class F>(F)
+        with_lanes(planned.lanes, [&]<class F>(std::type_identity<F>)
         {
             const std::uint32_t* const slots = &plan_.slots[planned.first];
             JointRow<F>& to = start_row<F>(&row<F>(r), joints.joints[slots[0]].spec);
@@ -196,7 +197,7 @@ void JointSolver::steady_links(float h)
     for (std::size_t r = 0; r < plan_.rows.size(); ++r)
     {
         const PlannedRow planned = plan_.rows[r];
-        with_lanes(planned.lanes, [&]<class F>(F)
+        with_lanes(planned.lanes, [&]<class F>(std::type_identity<F>)
         {
             JointRow<F>& to = row<F>(r);
             for (std::uint32_t i = 0; i < planned.lanes; ++i)
@@ -237,7 +238,7 @@ void JointSolver::for_each_joint(Action&& action) const
     for (std::size_t r = 0; r < plan_.rows.size(); ++r)
     {
         const PlannedRow planned = plan_.rows[r];
-        with_lanes(planned.lanes, [&]<class F>(F)
+        with_lanes(planned.lanes, [&]<class F>(std::type_identity<F>)
         {
             const JointRow<F>& from = const_cast<JointSolver&>(*this).row<F>(r);
             for (std::uint32_t i = 0; i < planned.lanes; ++i)
