@@ -18,7 +18,7 @@ using MechanismPass = void (*)(const MechanismGroup& group, float* motions, cons
 
 struct JointRowPasses
 {
-    JointRowPass prepare; ///< linearises before anything has moved
+    JointRowPass prepare; ///< linearises before anything has moved; writes no motion
     JointRowPass warm_start;
     JointRowPass solve;
     JointRowPass relax;    ///< linearises anew where the bodies have come to, and takes back what the bias pushed

@@ -24,11 +24,12 @@ template <class F>
 [[gnu::flatten]] void prepare_joint_rows(char* rows, const std::uint32_t* offsets, std::size_t count, float* motions,
                                          const JointConstants<float>&)
 {
-    for_joint_rows<F>(rows, offsets, count, motions, [](auto& row, auto& a, auto& b)
+    for (std::size_t i = 0; i < count; ++i)
     {
+        JointRow<F>& row = *reinterpret_cast<JointRow<F>*>(rows + offsets[i]);
         if (measures_angle(row)) find_turn(row);
-        linearise_single(row, a, b);
-    });
+        linearise_single(row, gather(motions, row.body_a), gather(motions, row.body_b));
+    }
 }
 
 template <class F>

@@ -129,7 +129,7 @@ void JointSolver::build(const SolverPasses& passes, const BodyStore& bodies, con
     fill_rows(bodies, joints, constants);
     prepare_groups(bodies);
     steady_links(constants.h);
-    // Nothing has moved yet in this step, and preparing changes no motion.
+    // Preparing reads motions and writes none.
     BodyMotion* const motions = const_cast<BodyMotion*>(bodies.motions.data());
     run(&JointRowPasses::prepare, &MechanismPasses::prepare, {motions, bodies.motions.size()});
 }
