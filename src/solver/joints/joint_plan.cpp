@@ -153,18 +153,22 @@ void JointPlan::find_components(std::size_t body_count)
             component = static_cast<std::uint32_t>(components_.size());
             components_.push_back({});
         }
-        ++components_[component].end; // a count, for now
+        ++components_[component].count;
     }
-    std::uint32_t begin = 0;
+    std::uint32_t next = 0;
     for (Component& component : components_)
     {
-        const std::uint32_t count = component.end;
-        component.begin = component.end = begin;
-        begin += count;
+        component.begin = next;
+        next += component.count;
+        component.count = 0;
     }
-    order_.resize(begin);
+    order_.resize(next);
     for (std::uint32_t i = 0; i < members_.size(); ++i)
-        if (holds_rigidly(members_[i])) order_[components_[component_of(members_[i])].end++] = i;
+    {
+        if (!holds_rigidly(members_[i])) continue;
+        Component& component = components_[component_of(members_[i])];
+        order_[component.begin + component.count++] = i;
+    }
     body_list_.clear();
     number_.assign(body_count + 1, null_index); // from here on places in a component
 }
@@ -186,7 +190,7 @@ void JointPlan::name_bodies(Component& component)
         }
         return place;
     };
-    for (std::uint32_t i = component.begin; i < component.end; ++i)
+    for (std::uint32_t i = component.begin; i < component.begin + component.count; ++i)
     {
         const Member& m = members_[order_[i]];
         const std::uint32_t a = place_of(m.body_a, m.moves_a);
@@ -242,7 +246,7 @@ void JointPlan::place_single_rows(std::size_t body_count, std::uint32_t lanes)
         if (!holds_rigidly(members_[i])) single_.push_back(i);
     for (const Component& component : components_)
         if (kinds_[component.kind].plan.is_net)
-            single_.insert(single_.end(), order_.begin() + component.begin, order_.begin() + component.end);
+            single_.insert(single_.end(), order_.begin() + component.begin, order_.begin() + component.begin + component.count);
     std::sort(single_.begin(), single_.end());
 
     colors_.assign(body_count, 0);

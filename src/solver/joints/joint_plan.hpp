@@ -83,11 +83,11 @@ private:
         std::uint32_t first = 0; ///< of them in same_kind_
     };
 
-    /// A mechanism: members_[order_[begin]] to before `end`, and its bodies in the order in which its joints name them.
+    /// A mechanism: `count` members from members_[order_[begin]] on, and its bodies in the order in which its joints name them.
     struct Component
     {
         std::uint32_t begin;
-        std::uint32_t end;
+        std::uint32_t count;
         std::uint32_t bodies_begin;
         std::uint32_t bodies_end;
         std::uint32_t kind;

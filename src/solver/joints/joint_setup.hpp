@@ -242,18 +242,8 @@ void fill_row(JointRow<F>& row, int i, std::uint32_t slot, const Joint& joint, c
     const JointFrames f = frames_of(joint, bodies);
     const std::uint32_t index_a = joint.body_a == null_index ? 0 : bodies.motion_index[joint.body_a];
     const std::uint32_t index_b = bodies.motion_index[joint.body_b];
-    const BodyMass& mass_a = bodies.masses[index_a];
-    const BodyMass& mass_b = bodies.masses[index_b];
-    const auto at = static_cast<std::size_t>(i);
-    row.joint[at] = slot;
-    row.body_a[at] = index_a;
-    row.body_b[at] = index_b;
-    row.pushed_a[at] = can_be_pushed(mass_a) ? index_a : 0;
-    row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
-    set_lane(row.inv_mass_a, i, mass_a.inv_mass);
-    set_lane(row.inv_mass_b, i, mass_b.inv_mass);
-    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
-    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
+    row.joint[static_cast<std::size_t>(i)] = slot;
+    fill_bodies(row, i, index_a, index_b, bodies.masses[index_a], bodies.masses[index_b]);
 
     // A mouse pulls from its target, wherever the frame of A is.
     const auto* mouse = std::get_if<MouseJoint>(&joint.spec);

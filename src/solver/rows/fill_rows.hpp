@@ -46,16 +46,8 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     const Vec2 n = manifold.normal;
     const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
 
-    const std::size_t at = static_cast<std::size_t>(i);
-    row.contact[at] = slot;
-    row.body_a[at] = index_a;
-    row.body_b[at] = index_b;
-    row.pushed_a[at] = can_be_pushed(mass_a) ? index_a : 0;
-    row.pushed_b[at] = can_be_pushed(mass_b) ? index_b : 0;
-    set_lane(row.inv_mass_a, i, mass_a.inv_mass);
-    set_lane(row.inv_mass_b, i, mass_b.inv_mass);
-    lane(row.inv_inertia_a, i) = mass_a.inv_inertia;
-    lane(row.inv_inertia_b, i) = mass_b.inv_inertia;
+    row.contact[static_cast<std::size_t>(i)] = slot;
+    fill_bodies(row, i, index_a, index_b, mass_a, mass_b);
     set_lane(row.n, i, n);
     lane(row.core_a, i) = a_whirls ? dot(manifold.points[0].r_a, n) : manifold.rounding_a + gap;
     lane(row.core_b, i) = b_whirls ? -dot(manifold.points[0].r_b, n) : manifold.rounding_b + gap;
