@@ -84,23 +84,9 @@ void gather_block(const float* groups, const std::uint32_t* which, GroupBlock& b
 #if defined(__AVX2__)
     if constexpr (lane_width<F> == 8)
     {
-        const auto row = [&](std::size_t i) { return _mm256_loadu_ps(groups + group_floats * which[i]); };
-        const __m256 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3), r4 = row(4), r5 = row(5), r6 = row(6), r7 = row(7);
-        // Two groups, four groups, all: the lower halves first.
-        const __m256 lo_01 = _mm256_unpacklo_ps(r0, r1), hi_01 = _mm256_unpackhi_ps(r0, r1);
-        const __m256 lo_23 = _mm256_unpacklo_ps(r2, r3), hi_23 = _mm256_unpackhi_ps(r2, r3);
-        const __m256 lo_45 = _mm256_unpacklo_ps(r4, r5), hi_45 = _mm256_unpackhi_ps(r4, r5);
-        const __m256 lo_67 = _mm256_unpacklo_ps(r6, r7), hi_67 = _mm256_unpackhi_ps(r6, r7);
-        const auto store_both = [&](std::size_t k, __m256 first_four, __m256 last_four)
-        {
-            _mm256_storeu_ps(columns + k * pull_parts, _mm256_permute2f128_ps(first_four, last_four, 0x20));
-            _mm256_storeu_ps(columns + (k + 4) * pull_parts, _mm256_permute2f128_ps(first_four, last_four, 0x31));
-        };
-        constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
-        store_both(0, _mm256_shuffle_ps(lo_01, lo_23, first), _mm256_shuffle_ps(lo_45, lo_67, first));
-        store_both(1, _mm256_shuffle_ps(lo_01, lo_23, second), _mm256_shuffle_ps(lo_45, lo_67, second));
-        store_both(2, _mm256_shuffle_ps(hi_01, hi_23, first), _mm256_shuffle_ps(hi_45, hi_67, first));
-        store_both(3, _mm256_shuffle_ps(hi_01, hi_23, second), _mm256_shuffle_ps(hi_45, hi_67, second));
+        const Octet<F> o = gather_octet<F>(groups, group_floats, which);
+        const auto store = [&](std::size_t k, __m256 column) { _mm256_storeu_ps(columns + k * pull_parts, column); };
+        store(0, o.f0), store(1, o.f1), store(2, o.f2), store(3, o.f3), store(4, o.f4), store(5, o.f5), store(6, o.f6), store(7, o.f7);
         // Of groups i and i + 4 the last four floats.
         const auto rest = [&](std::size_t i)
         {
@@ -111,10 +97,11 @@ void gather_block(const float* groups, const std::uint32_t* which, GroupBlock& b
         const __m256 s0 = rest(0), s1 = rest(1), s2 = rest(2), s3 = rest(3);
         const __m256 lo_a = _mm256_unpacklo_ps(s0, s1), hi_a = _mm256_unpackhi_ps(s0, s1);
         const __m256 lo_b = _mm256_unpacklo_ps(s2, s3), hi_b = _mm256_unpackhi_ps(s2, s3);
-        _mm256_storeu_ps(columns + 8 * pull_parts, _mm256_shuffle_ps(lo_a, lo_b, first));
-        _mm256_storeu_ps(columns + 9 * pull_parts, _mm256_shuffle_ps(lo_a, lo_b, second));
-        _mm256_storeu_ps(columns + 10 * pull_parts, _mm256_shuffle_ps(hi_a, hi_b, first));
-        _mm256_storeu_ps(columns + 11 * pull_parts, _mm256_shuffle_ps(hi_a, hi_b, second));
+        constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
+        store(8, _mm256_shuffle_ps(lo_a, lo_b, first));
+        store(9, _mm256_shuffle_ps(lo_a, lo_b, second));
+        store(10, _mm256_shuffle_ps(hi_a, hi_b, first));
+        store(11, _mm256_shuffle_ps(hi_a, hi_b, second));
         return;
     }
 #endif

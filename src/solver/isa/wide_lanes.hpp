@@ -364,24 +364,26 @@ inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<
 
 #if defined(__AVX2__)
 
-/// Eight bodies, a column of each of their floats.
+/// The first eight floats of eight records, a column of each.
 template <class Tag>
 struct Octet
 {
-    __m256 v_x, v_y, w, dp_x, dp_y, dq_c, dq_s;
+    __m256 f0, f1, f2, f3, f4, f5, f6, f7;
 };
 
+/// @param stride of a record [floats]
 template <class Tag>
-Octet<Tag> gather_octet(const float* motions, const std::uint32_t* indices)
+Octet<Tag> gather_octet(const float* records, std::size_t stride, const std::uint32_t* indices)
 {
-    const auto body = [&](std::size_t i) { return _mm256_loadu_ps(motions + motion_floats * indices[i]); };
-    const __m256 b0 = body(0), b1 = body(1), b2 = body(2), b3 = body(3), b4 = body(4), b5 = body(5), b6 = body(6), b7 = body(7);
-    // Pairs of bodies: floats 0 and 1 (and 4 and 5), floats 2 and 3 (and 6 and 7).
+    const auto record = [&](std::size_t i) { return _mm256_loadu_ps(records + stride * indices[i]); };
+    const __m256 b0 = record(0), b1 = record(1), b2 = record(2), b3 = record(3), b4 = record(4), b5 = record(5), b6 = record(6),
+                 b7 = record(7);
+    // Pairs of records: floats 0 and 1 (and 4 and 5), floats 2 and 3 (and 6 and 7).
     const __m256 lo_01 = _mm256_unpacklo_ps(b0, b1), hi_01 = _mm256_unpackhi_ps(b0, b1);
     const __m256 lo_23 = _mm256_unpacklo_ps(b2, b3), hi_23 = _mm256_unpackhi_ps(b2, b3);
     const __m256 lo_45 = _mm256_unpacklo_ps(b4, b5), hi_45 = _mm256_unpackhi_ps(b4, b5);
     const __m256 lo_67 = _mm256_unpacklo_ps(b6, b7), hi_67 = _mm256_unpackhi_ps(b6, b7);
-    // Four bodies a float: float k in the lower half, float k + 4 in the upper.
+    // Four records a float: float k in the lower half, float k + 4 in the upper.
     constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
     const __m256 f0_a = _mm256_shuffle_ps(lo_01, lo_23, first), f0_b = _mm256_shuffle_ps(lo_45, lo_67, first);
     const __m256 f1_a = _mm256_shuffle_ps(lo_01, lo_23, second), f1_b = _mm256_shuffle_ps(lo_45, lo_67, second);
@@ -390,7 +392,7 @@ Octet<Tag> gather_octet(const float* motions, const std::uint32_t* indices)
     constexpr int lower = 0x20, upper = 0x31;
     return {_mm256_permute2f128_ps(f0_a, f0_b, lower), _mm256_permute2f128_ps(f1_a, f1_b, lower), _mm256_permute2f128_ps(f2_a, f2_b, lower),
             _mm256_permute2f128_ps(f3_a, f3_b, lower), _mm256_permute2f128_ps(f0_a, f0_b, upper), _mm256_permute2f128_ps(f1_a, f1_b, upper),
-            _mm256_permute2f128_ps(f2_a, f2_b, upper)};
+            _mm256_permute2f128_ps(f2_a, f2_b, upper), _mm256_permute2f128_ps(f3_a, f3_b, upper)};
 }
 
 /// Writes the first four floats of eight bodies.
@@ -419,8 +421,8 @@ void scatter_octet(float* motions, const std::uint32_t* indices, __m256 v_x, __m
 
 inline BodyLanes<Lanes<8>> gather(const float* motions, const BodyIndices<Lanes<8>>& indices)
 {
-    const Octet<Lanes<8>> o = gather_octet<Lanes<8>>(motions, indices.at);
-    return {{o.v_x, o.v_y}, o.w, {o.dp_x, o.dp_y}, {o.dq_c, o.dq_s}};
+    const Octet<Lanes<8>> o = gather_octet<Lanes<8>>(motions, motion_floats, indices.at);
+    return {{o.f0, o.f1}, o.f2, {o.f3, o.f4}, {o.f5, o.f6}};
 }
 
 inline void scatter(float* motions, const BodyIndices<Lanes<8>>& indices, const BodyLanes<Lanes<8>>& lanes)
@@ -435,13 +437,11 @@ inline void scatter(float* motions, const BodyIndices<Lanes<8>>& indices, const 
 
 inline BodyLanes<Lanes<16>> gather(const float* motions, const BodyIndices<Lanes<16>>& indices)
 {
-    const Octet<Lanes<16>> l = gather_octet<Lanes<16>>(motions, indices.at);
-    const Octet<Lanes<16>> r = gather_octet<Lanes<16>>(motions, indices.at + 8);
+    const Octet<Lanes<16>> l = gather_octet<Lanes<16>>(motions, motion_floats, indices.at);
+    const Octet<Lanes<16>> r = gather_octet<Lanes<16>>(motions, motion_floats, indices.at + 8);
     const auto both = [](__m256 low, __m256 high) { return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1); };
-    return {{both(l.v_x, r.v_x), both(l.v_y, r.v_y)},
-            both(l.w, r.w),
-            {both(l.dp_x, r.dp_x), both(l.dp_y, r.dp_y)},
-            {both(l.dq_c, r.dq_c), both(l.dq_s, r.dq_s)}};
+    return {
+        {both(l.f0, r.f0), both(l.f1, r.f1)}, both(l.f2, r.f2), {both(l.f3, r.f3), both(l.f4, r.f4)}, {both(l.f5, r.f5), both(l.f6, r.f6)}};
 }
 
 inline void scatter(float* motions, const BodyIndices<Lanes<16>>& indices, const BodyLanes<Lanes<16>>& lanes)
