@@ -163,7 +163,7 @@ void Car::add_boxes()
             const Vec2 place{boxes_at + 1.03f * size * (static_cast<float>(i) + 0.5f * static_cast<float>(row)),
                              size * (0.5f + static_cast<float>(row))};
             boxes_.push_back(add({.position = place}, box(size, size), from_hue(0.05f + 0.03f * static_cast<float>(row), 0.55f, 0.55f),
-                                 {.density = 0.1f}));
+                                 {.density = 0.05f}));
         }
     }
 }

@@ -321,11 +321,22 @@ void solve_spring(const JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, Bod
     c.lambda_spring = next;
 }
 
+/// Rate of a coordinate once the joint's rigid rows hold. What a blow has just done to these rows is for them to undo: an end that answered it too
+/// would drive them on, and they the end, until a light limb under a heavy pile flies apart. Test:
+/// JointRow.AnEndAddsNoEnergyWhateverABlowDidToThePin.
+template <class F>
+F held_velocity(const JointRow<F>& row, const ControlRow<F>& c, const BodyLanes<F>& a, const BodyLanes<F>& b)
+{
+    F rate = velocity(c.j, a, b);
+    for (std::size_t i = 0; i < row.rigid_count; ++i) rate = rate - c.reaction[i] * velocity(row.rigid[i], a, b);
+    return rate;
+}
+
 /// |lambda| <= max, against the velocity that is missing.
 template <class F>
 void solve_motor(JointRow<F>& row, ControlRow<F>& c, BodyLanes<F>& a, BodyLanes<F>& b)
 {
-    const F wanted = c.lambda_motor - c.held_mass * (velocity(c.j, a, b) - c.motor_speed);
+    const F wanted = c.lambda_motor - c.held_mass * (held_velocity(row, c, a, b) - c.motor_speed);
     const F next = lane_max(-c.max_motor, lane_min(wanted, c.max_motor));
     const F change = next - c.lambda_motor;
     c.lambda_motor = next;
@@ -372,11 +383,12 @@ void solve_range(JointRow<F>& row, ControlRow<F>& c, const JointConstants<F>& k,
 {
     const F curvature = WithBias ? c.curvature : F(0);
     const F most = most_bias(c.j, k);
-    const F lower = end_impulse<WithBias>(c.lambda_lower, c.held_mass, c.q - c.lower, velocity(c.j, a, b) + curvature, most, k);
+    const F lower = end_impulse<WithBias>(c.lambda_lower, c.held_mass, c.q - c.lower, held_velocity(row, c, a, b) + curvature, most, k);
     apply_held(row, c, lower - c.lambda_lower, a, b);
     c.lambda_lower = lower;
 
-    const F upper = end_impulse<WithBias>(c.lambda_upper, c.held_mass, c.upper - c.q, F(0) - velocity(c.j, a, b) - curvature, most, k);
+    const F upper =
+        end_impulse<WithBias>(c.lambda_upper, c.held_mass, c.upper - c.q, F(0) - held_velocity(row, c, a, b) - curvature, most, k);
     apply_held(row, c, c.lambda_upper - upper, a, b);
     c.lambda_upper = upper;
 }

@@ -85,6 +85,25 @@ struct Slider : RandomJointRow
     float rate() { return speed(row.controls[0].j); }
 };
 
+/// Two bodies that are pinned together, with their angle and what acts on it.
+struct Hinge : RandomJointRow
+{
+    explicit Hinge(unsigned seed) : RandomJointRow(seed, RowType::Revolute)
+    {
+        row.rigid_count = 2;
+        row.control_count = 1;
+        linearise(row, a, b);
+        find_held_mass(row, control());
+    }
+    ControlRow<float>& control() { return row.controls[0]; }
+    double energy() const
+    {
+        const auto of = [](const PlainBody& body, float inv_mass, float inv_inertia)
+        { return 0.5 * double{dot(body.v, body.v)} / double{inv_mass} + 0.5 * double{body.w} * double{body.w} / double{inv_inertia}; };
+        return of(a, row.inv_mass_a.x, row.inv_inertia_a) + of(b, row.inv_mass_b.x, row.inv_inertia_b);
+    }
+};
+
 } // namespace
 
 TEST(JointRow, InnerForcesKeepMomentum)
@@ -170,6 +189,39 @@ TEST(JointRow, AMotorReachesItsSpeedOrItsLimit)
         weak.control().motor_speed = -1000;
         solve_motor(weak.row, weak.control(), weak.a, weak.b);
         EXPECT_EQ(weak.control().lambda_motor, -0.25f) << seed;
+    }
+}
+
+TEST(JointRow, APinnedMotorReachesItsSpeedOnceThePinHolds)
+{
+    for (unsigned seed = 0; seed < 100; ++seed)
+    {
+        Hinge c(seed);
+        c.control().motor_speed = 3;
+        c.control().max_motor = 1e6f;
+        solve_motor(c.row, c.control(), c.a, c.b);
+        solve_rigid<false>(c.row, joint_constants, c.a, c.b);
+        EXPECT_NEAR(c.speed(c.control().j), 3, 1e-3) << seed;
+    }
+}
+
+TEST(JointRow, AnEndAddsNoEnergyWhateverABlowDidToThePin)
+{
+    for (unsigned seed = 0; seed < 100; ++seed)
+    {
+        Hinge c(seed);
+        c.row.inv_mass_b = {50, 50}; // a light limb
+        c.row.inv_inertia_b = 5000;
+        linearise(c.row, c.a, c.b);
+        find_held_mass(c.row, c.control());
+        c.control().lower = c.control().upper = c.control().q;
+        double energy = c.energy();
+        for (int pass = 0; pass < 20; ++pass)
+        {
+            solve_range<false>(c.row, c.control(), joint_constants, c.a, c.b);
+            EXPECT_LE(c.energy(), 1.001 * energy) << seed << ", " << pass;
+            energy = c.energy();
+        }
     }
 }
 
