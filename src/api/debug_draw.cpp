@@ -79,25 +79,22 @@ void draw_pairs(const Picture& picture, DebugDraw& visitor)
         if (contact.is_live) visitor.pair(picture.shape(contact.shape_a), picture.shape(contact.shape_b), contacts.is_new(contact));
 }
 
-/// The manifolds of all contacts; in mid-solve a copy, with what the rows hold.
+/// The manifolds of all contacts; in mid-solve with what the rows hold.
 void draw_contacts(const Picture& picture, DebugDraw& visitor)
 {
     const ContactStore& contacts = picture.world.contacts;
-    std::span<const ContactManifold> manifolds = contacts.manifolds;
-    std::vector<ContactManifold> shown;
-    if (picture.is_solving())
-    {
-        shown.assign(manifolds.begin(), manifolds.end());
-        picture.moment->solver.show(picture.world.bodies.motions, shown, picture.moment->is_within_substep());
-        manifolds = shown;
-    }
+    std::vector<Manifold> manifolds;
+    manifolds.reserve(contacts.slots.size());
+    for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
+        manifolds.push_back(public_manifold(contacts.manifolds[slot], contacts.results[slot]));
+    if (picture.is_solving()) picture.moment->solver.show(picture.world.bodies.motions, manifolds, picture.moment->is_within_substep());
     for (std::uint32_t slot = 0; slot < contacts.slots.size(); ++slot)
     {
         const Contact& contact = contacts.contacts[slot];
-        if (!contact.is_live || contact.is_sensor || manifolds[slot].count == 0) continue;
+        if (!contact.is_live || contact.is_sensor || manifolds[slot].point_count == 0) continue;
         visitor.contact({.shape_a = picture.shape(contact.shape_a),
                          .shape_b = picture.shape(contact.shape_b),
-                         .manifold = public_manifold(manifolds[slot]),
+                         .manifold = manifolds[slot],
                          .color = contact.color == no_color ? -1 : int{contact.color},
                          .is_touching = contact.is_touching});
     }

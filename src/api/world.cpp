@@ -329,7 +329,7 @@ Manifold World::manifold(ShapeId a, ShapeId b) const
     {
         const detail::Contact& contact = world.contacts.contacts[edge / 2];
         if (contact.is_sensor) continue;
-        const Manifold manifold = detail::public_manifold(world.contacts.manifolds[edge / 2]);
+        const Manifold manifold = detail::public_manifold(world.contacts.manifolds[edge / 2], world.contacts.results[edge / 2]);
         if (contact.shape_a == shape_a && contact.shape_b == shape_b) return manifold;
         if (contact.shape_a == shape_b && contact.shape_b == shape_a)
         {

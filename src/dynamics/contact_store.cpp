@@ -12,6 +12,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
     make_room(contacts, contacts.size() + 1);
     make_room(manifolds, contacts.size() + 1);
+    make_room(results, contacts.size() + 1);
     make_room(memories, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
     make_room(awake_pairs, contacts.size() + 1);
@@ -20,6 +21,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     {
         contacts.emplace_back();
         manifolds.emplace_back();
+        results.emplace_back();
         memories.emplace_back();
     }
     contacts[slot] = pair;
@@ -28,6 +30,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};
+    results[slot] = {};
     memories[slot] = {};
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
     link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);
@@ -69,6 +72,7 @@ void ContactStore::shrink()
     slots.drop_tail();
     cut(contacts, slots.size());
     cut(manifolds, slots.size());
+    cut(results, slots.size());
     cut(memories, slots.size());
     cut(awake, awake.size());
     cut(awake_pairs, awake_pairs.size());
@@ -86,6 +90,7 @@ void ContactStore::reserve(std::size_t count)
     slots.reserve(count);
     contacts.reserve(count);
     manifolds.reserve(count);
+    results.reserve(count);
     memories.reserve(count);
     awake.reserve(count);
     awake_pairs.reserve(count);

@@ -26,7 +26,7 @@ enum class Neighborhood : std::uint8_t
     Shared
 };
 
-/// Who meets whom, and how their surfaces mix. Shape A has the lower index.
+/// Two shapes that meet, and what the stages of a step know of them. Shape A has the lower index.
 struct Contact
 {
     std::uint32_t shape_a = null_index;
@@ -35,10 +35,6 @@ struct Contact
     std::uint32_t body_b = null_index;
     std::array<std::uint32_t, 2> previous = {null_index, null_index}; ///< neighbours in the lists of body A and of body B: edges
     std::array<std::uint32_t, 2> next = {null_index, null_index};
-    float friction = 0;
-    float restitution = 0;
-    float rolling_resistance = 0; ///< times a radius [m]
-    float tangent_speed = 0;      ///< of B past A along the right of the normal [m/s]
     std::uint32_t place_in_awake = null_index;
     std::uint8_t color = no_color; ///< the solver's colour while the contact has points
     bool is_live = false;
@@ -52,37 +48,65 @@ struct Contact
     bool wants_persist = false; ///< one of its shapes asks for the events of each step
     bool wants_hits = false;    ///< one of them asks for hits
     std::uint32_t search = 0;   ///< the search for pairs that found it
-    float last_normal = 0;      ///< impulse of the last step in which it touched [N s]
-    float last_tangent = 0;     ///< the same along the surface [N s]
 };
 
-/// One point of a contact as the solver leaves it for the next step.
-struct ContactPointState
+/// How the surfaces of two shapes mix.
+struct ContactSurface
 {
-    Vec2 position;             ///< in the world at the start of the step [m]
-    Vec2 r_a;                  ///< from A's centre of mass to the point [m]
-    Vec2 r_b;                  ///< from B's [m]
-    float separation = 0;      ///< at the start of the step [m]
-    float normal_impulse = 0;  ///< of the last substep: warm starts the next [N s]
-    float tangent_impulse = 0; ///< of the last substep [N s]
-    float total_normal = 0;    ///< over the step [N s]
-    float total_tangent = 0;   ///< over the step [N s]
-    float normal_velocity = 0; ///< along the normal at the start of the step; negative when approaching [m/s]
-    std::uint32_t feature = 0;
+    float friction = 0;
+    float restitution = 0;
+    float rolling_resistance = 0; ///< times a radius [m]
+    float tangent_speed = 0;      ///< of B past A along the right of the normal [m/s]
 };
 
-/// The contact's points, by contact slot.
-struct ContactManifold
+/// From the two centres of mass to a contact point [m].
+struct ContactArms
 {
-    Vec2 normal;               ///< in the world, from A to B
-    float rolling_impulse = 0; ///< of the last substep [N m s]
-    float total_rolling = 0;   ///< over the step [N m s]
-    float carried_impulse = 0; ///< what each point has been carrying for a while, per substep [N s]
-    float rounding_a = 0;      ///< how far A's surface is from its core, which turns with A while the surface stays where it is [m]
+    Vec2 r_a;
+    Vec2 r_b;
+};
+
+/// At a contact point [N s].
+struct ContactImpulse
+{
+    float normal = 0;
+    float tangent = 0;
+};
+
+/// The contact's points, by contact slot: what rows are made of, in three groups of eight floats, each of which a transpose turns into lanes.
+/// What only events and pictures read is in ContactResult.
+struct alignas(64) ContactManifold
+{
+    std::array<ContactArms, 2> arms;
+
+    Vec2 normal;                       ///< in the world, from A to B
+    std::array<float, 2> separation{}; ///< of each point at the start of the step [m]
+    float rounding_a = 0;              ///< how far A's surface is from its core, which turns with A while the surface stays where it is [m]
     float rounding_b = 0;
-    int count = 0; ///< points; a sensor's overlap counts as one
-    std::array<ContactPointState, 2> points;
+    float rolling_impulse = 0; ///< of the last substep [N m s]
+    float carried_impulse = 0; ///< what each point has been carrying for a while, per substep [N s]
+
+    std::array<ContactImpulse, 2> impulses; ///< of the last substep: warm start the next
+    ContactSurface surface;
+
+    std::array<std::uint32_t, 2> features{};
+    int count = 0;         ///< points; a sensor's overlap counts as one
+    Vec2 center_a;         ///< A's centre of mass at the start of the step [m]
+    ContactImpulse last{}; ///< of all points over the last step in which it touched
 };
+static_assert(sizeof(ContactManifold) == 128);
+
+/// Where a point was at the start of the step, halfway between the surfaces [m].
+inline Vec2 position_of(const ContactManifold& manifold, std::size_t point) { return manifold.center_a + manifold.arms[point].r_a; }
+
+/// What the solver did at a contact's points in a step, by contact slot.
+struct alignas(32) ContactResult
+{
+    std::array<ContactImpulse, 2> totals;   ///< over the step
+    std::array<float, 2> normal_velocity{}; ///< of each point at the start of the step; negative when approaching [m/s]
+    float total_rolling = 0;                ///< over the step [N m s]
+};
+static_assert(sizeof(ContactResult) == 32);
 
 /// What a step reads first of an awake contact: most pairs of a crowd are near and do not touch, and need nothing else.
 struct AwakePair
@@ -102,6 +126,7 @@ public:
         : slots(memory),
           contacts(&memory),
           manifolds(&memory),
+          results(&memory),
           memories(&memory),
           awake(&memory),
           awake_pairs(&memory)
@@ -126,6 +151,7 @@ public:
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
+    std::pmr::vector<ContactResult> results; ///< zero of contacts without points
     std::pmr::vector<CollisionMemory> memories;
     std::pmr::vector<std::uint32_t> awake;   ///< slots, in an order that only the history of the world decides
     std::pmr::vector<AwakePair> awake_pairs; ///< of the awake contacts, in the same order

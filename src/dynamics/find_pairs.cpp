@@ -141,9 +141,9 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
         Contact contact = {
             .shape_a = pair.a, .shape_b = pair.b, .body_a = shapes.records[pair.a].body, .body_b = shapes.records[pair.b].body};
         contact.is_sensor = judge_pair(shapes, bodies, joints, pair).is_sensor;
-        mix_materials(contact, shapes, rules);
         refresh_wishes(contact, shapes);
-        contacts.create(contact, bodies);
+        const ContactSurface surface = mix_materials(contact, shapes, rules);
+        contacts.manifolds[contacts.create(contact, bodies)].surface = surface;
         known.insert(pair);
         any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));
     }

@@ -31,21 +31,22 @@ bool is_friction(float value) { return value >= 0 && value <= max_friction; }
 
 bool is_restitution(float value) { return value >= 0 && value <= 1; }
 
-void mix_materials(Contact& contact, const ShapeStore& shapes, const ContactRules& rules)
+ContactSurface mix_materials(const Contact& contact, const ShapeStore& shapes, const ContactRules& rules)
 {
     const Material& a = shapes.records[contact.shape_a].material;
     const Material& b = shapes.records[contact.shape_b].material;
     const float radius = std::max(rounding(shapes.geometry[contact.shape_a]), rounding(shapes.geometry[contact.shape_b])); // of what rolls
-    contact.friction = mix(rules.mixing.friction, a.friction, b.friction);
-    contact.restitution = mix(rules.mixing.restitution, a.restitution, b.restitution);
-    contact.rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius;
-    contact.tangent_speed = a.tangent_speed + b.tangent_speed;
-    if (rules.hooks == nullptr) return;
+    ContactSurface surface = {.friction = mix(rules.mixing.friction, a.friction, b.friction),
+                              .restitution = mix(rules.mixing.restitution, a.restitution, b.restitution),
+                              .rolling_resistance = std::max(a.rolling_resistance, b.rolling_resistance) * radius,
+                              .tangent_speed = a.tangent_speed + b.tangent_speed};
+    if (rules.hooks == nullptr) return surface;
 
-    const float friction = rules.hooks->mix_friction(a, b, contact.friction);
-    const float restitution = rules.hooks->mix_restitution(a, b, contact.restitution);
-    if (is_friction(friction)) contact.friction = friction;
-    if (is_restitution(restitution)) contact.restitution = restitution;
+    const float friction = rules.hooks->mix_friction(a, b, surface.friction);
+    const float restitution = rules.hooks->mix_restitution(a, b, surface.restitution);
+    if (is_friction(friction)) surface.friction = friction;
+    if (is_restitution(restitution)) surface.restitution = restitution;
+    return surface;
 }
 
 } // namespace carom::detail

@@ -9,7 +9,7 @@ namespace carom::detail
 {
 
 /// By the world's rules, and by its hooks if there are any.
-void mix_materials(Contact& contact, const ShapeStore& shapes, const ContactRules& rules);
+ContactSurface mix_materials(const Contact& contact, const ShapeStore& shapes, const ContactRules& rules);
 
 /// Largest friction and rolling resistance that are taken: beyond, products leave the range of float.
 inline constexpr float max_friction = 1e6f;

@@ -18,55 +18,55 @@ namespace carom::detail
 namespace
 {
 
-/// The impulses of the old point that the same features made, or none.
-void keep_impulses(ContactPointState& point, std::span<const ContactPointState> old)
-{
-    point.normal_impulse = point.tangent_impulse = 0;
-    for (const ContactPointState& before : old)
-    {
-        if (before.feature != point.feature) continue;
-        point.normal_impulse = before.normal_impulse;
-        point.tangent_impulse = before.tangent_impulse;
-        return;
-    }
-}
-
-/// Gives the manifold the features of new points; points that go on keep their impulses.
+/// Gives the manifold the features of new points. Points that go on keep the impulses of the old point that the same features made.
 void match_points(ContactManifold& manifold, const LocalManifold& local)
 {
-    const auto goes_on = [&](std::size_t i) { return manifold.points[i].feature == local.points[i].feature; };
+    const auto goes_on = [&](std::size_t i) { return manifold.features[i] == local.points[i].feature; };
     if (manifold.count == local.count && goes_on(0) && (local.count == 1 || goes_on(1))) return;
-    const std::array<ContactPointState, 2> old = manifold.points;
+    const std::array<std::uint32_t, 2> features = manifold.features;
+    const std::array<ContactImpulse, 2> impulses = manifold.impulses;
+    const auto impulse_of = [&](std::uint32_t feature) -> ContactImpulse
+    {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+            if (features[i] == feature) return impulses[i];
+        return {};
+    };
     for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
-        manifold.points[i].feature = local.points[i].feature;
-        keep_impulses(manifold.points[i], std::span(old).first(static_cast<std::size_t>(manifold.count)));
+        manifold.features[i] = local.points[i].feature;
+        manifold.impulses[i] = impulse_of(local.points[i].feature);
     }
     manifold.count = local.count;
 }
 
-/// Writes a contact as it is now. The sums over the last step are gone.
-void write(ContactManifold& manifold, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
+void take_points_away(ContactManifold& manifold, ContactResult& result)
+{
+    if (manifold.count == 0) return; // then the result is zero
+    manifold.count = 0;
+    result = {};
+}
+
+/// Writes a contact as it is now. The result of the last step is gone.
+void write(ContactManifold& manifold, ContactResult& result, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
 {
     manifold.normal = rotate(pose_a.transform.q, local.normal);
-    manifold.total_rolling = 0;
     if (local.count == 0)
     {
-        manifold.count = 0;
+        take_points_away(manifold, result);
         manifold.rolling_impulse = manifold.carried_impulse = 0;
         return;
     }
     match_points(manifold, local);
+    manifold.center_a = pose_a.center;
     const Vec2 centers = pose_b.center - pose_a.center;
     for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
     {
-        ContactPointState& point = manifold.points[i];
-        point.r_a = rotate(pose_a.transform.q, local.points[i].position - pose_a.local_center);
-        point.r_b = point.r_a - centers;
-        point.position = pose_a.center + point.r_a;
-        point.separation = local.points[i].separation;
-        point.total_normal = point.total_tangent = point.normal_velocity = 0;
+        ContactArms& arms = manifold.arms[i];
+        arms.r_a = rotate(pose_a.transform.q, local.points[i].position - pose_a.local_center);
+        arms.r_b = arms.r_a - centers;
+        manifold.separation[i] = local.points[i].separation;
     }
+    result = {};
 }
 
 /// Looks at the surroundings of a contact when they are not known.
@@ -100,6 +100,7 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
 {
     Contact& contact = contacts.contacts[slot];
     ContactManifold& manifold = contacts.manifolds[slot];
+    ContactResult& result = contacts.results[slot];
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
@@ -112,17 +113,15 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
         manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
         manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
     }
-    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
+    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, result, alone, pose_a, pose_b);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
-    write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
+    write(manifold, result, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
 }
 
-ContactManifold overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
+bool overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
 {
     const Transform b_in_a = relative(bodies.poses[contact.body_a].transform, bodies.poses[contact.body_b].transform);
-    ContactManifold manifold;
-    manifold.count = overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances) ? 1 : 0;
-    return manifold;
+    return overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances);
 }
 
 /// @return whether the contact is idle now (AwakePair)
@@ -132,12 +131,12 @@ bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& b
     ContactManifold& manifold = contacts.manifolds[slot];
     if (!may_have_points)
     {
-        manifold.count = 0;
+        take_points_away(manifold, contacts.results[slot]);
         if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
             keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
     }
     else if (contact.is_sensor)
-        manifold = overlap_pair(contact, bodies, shapes);
+        manifold.count = overlap_pair(contact, bodies, shapes) ? 1 : 0;
     else
         collide_pair(slot, bodies, shapes, contacts);
     return manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
@@ -223,7 +222,7 @@ bool is_separated(const Contact& contact, const ShapeStore& shapes)
 void forget_impulses(ContactManifold& manifold)
 {
     manifold.rolling_impulse = manifold.carried_impulse = 0;
-    for (ContactPointState& point : manifold.points) point.normal_impulse = point.tangent_impulse = 0;
+    manifold.impulses = {};
 }
 
 void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)

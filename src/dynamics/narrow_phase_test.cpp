@@ -18,6 +18,7 @@ class NarrowPhaseTest : public testing::Test
 protected:
     void update() { update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes); }
     ContactManifold& manifold() { return scene.contacts.manifolds[slot]; }
+    ContactResult& result() { return scene.contacts.results[slot]; }
 
     SmallScene scene;
     std::uint32_t ground = scene.add({.type = BodyType::Static, .position = {0, -0.5f}}, box(10, 1));
@@ -31,35 +32,34 @@ TEST_F(NarrowPhaseTest, points_lie_halfway_between_the_surfaces_with_arms_from_b
     update();
     ASSERT_EQ(manifold().count, 2);
     EXPECT_NEAR(manifold().normal.y, 1, 1e-6f) << "from the floor, which is shape A";
-    for (const ContactPointState& point : manifold().points)
+    for (std::size_t i = 0; i < 2; ++i)
     {
-        EXPECT_NEAR(point.separation, -0.001f, 1e-5f);
-        EXPECT_NEAR(point.position.y, -0.0005f, 1e-5f);
-        EXPECT_NEAR(std::abs(point.position.x - 2), 0.5f, 1e-5f);
-        EXPECT_LT(distance(point.r_a, point.position - Vec2{0, -0.5f}), 1e-5f);
-        EXPECT_LT(distance(point.r_b, point.position - Vec2{2, 0.499f}), 1e-5f);
+        const Vec2 position = position_of(manifold(), i);
+        EXPECT_NEAR(manifold().separation[i], -0.001f, 1e-5f);
+        EXPECT_NEAR(position.y, -0.0005f, 1e-5f);
+        EXPECT_NEAR(std::abs(position.x - 2), 0.5f, 1e-5f);
+        EXPECT_LT(distance(manifold().arms[i].r_a, position - Vec2{0, -0.5f}), 1e-5f);
+        EXPECT_LT(distance(manifold().arms[i].r_b, position - Vec2{2, 0.499f}), 1e-5f);
     }
 }
 
 TEST_F(NarrowPhaseTest, impulses_stay_with_the_features_that_made_them)
 {
     update();
-    manifold().points[0].normal_impulse = 3;
-    manifold().points[1].normal_impulse = 5;
-    manifold().points[1].tangent_impulse = 7;
+    manifold().impulses = {ContactImpulse{3, 0}, ContactImpulse{5, 7}};
     manifold().rolling_impulse = 11;
     manifold().carried_impulse = 13;
     const ContactManifold before = manifold();
     scene.place(crate, {{2.01f, 0.4991f}, {}});
     update();
-    for (const ContactPointState& point : manifold().points)
-        for (const ContactPointState& old : before.points)
-            if (point.feature == old.feature)
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j)
+            if (manifold().features[i] == before.features[j])
             {
-                EXPECT_EQ(point.normal_impulse, old.normal_impulse);
-                EXPECT_EQ(point.tangent_impulse, old.tangent_impulse);
+                EXPECT_EQ(manifold().impulses[i].normal, before.impulses[j].normal);
+                EXPECT_EQ(manifold().impulses[i].tangent, before.impulses[j].tangent);
             }
-    EXPECT_EQ(manifold().points[0].normal_impulse + manifold().points[1].normal_impulse, 8) << "both features are still there";
+    EXPECT_EQ(manifold().impulses[0].normal + manifold().impulses[1].normal, 8) << "both features are still there";
     EXPECT_EQ(manifold().rolling_impulse, 11);
     EXPECT_EQ(manifold().carried_impulse, 13);
 
@@ -67,7 +67,7 @@ TEST_F(NarrowPhaseTest, impulses_stay_with_the_features_that_made_them)
     scene.place(crate, {{2, 0.499f}, rotation(0.5f * pi)});
     update();
     ASSERT_EQ(manifold().count, 2);
-    for (const ContactPointState& point : manifold().points) EXPECT_EQ(point.normal_impulse, 0);
+    for (const ContactImpulse& impulse : manifold().impulses) EXPECT_EQ(impulse.normal, 0);
 }
 
 TEST_F(NarrowPhaseTest, what_loses_its_points_keeps_no_rolling_impulse)
@@ -145,23 +145,33 @@ TEST_F(NarrowPhaseTest, what_is_remembered_of_shapes_does_not_show)
             EXPECT_EQ(now[contact].normal, expected.normal);
             for (std::size_t p = 0; p < static_cast<std::size_t>(expected.count); ++p)
             {
-                EXPECT_EQ(now[contact].points[p].r_a, expected.points[p].r_a);
-                EXPECT_EQ(now[contact].points[p].separation, expected.points[p].separation);
-                EXPECT_EQ(now[contact].points[p].feature, expected.points[p].feature);
+                EXPECT_EQ(now[contact].arms[p].r_a, expected.arms[p].r_a);
+                EXPECT_EQ(now[contact].separation[p], expected.separation[p]);
+                EXPECT_EQ(now[contact].features[p], expected.features[p]);
             }
         }
     }
     EXPECT_GT(touching, 300);
 }
 
-TEST_F(NarrowPhaseTest, the_sums_of_the_last_step_are_gone)
+/// Whether the shapes still touch or not.
+TEST_F(NarrowPhaseTest, the_result_of_the_last_step_is_gone)
 {
-    update();
-    manifold().points[0].total_normal = manifold().points[0].total_tangent = manifold().points[0].normal_velocity = 3;
-    manifold().total_rolling = 4;
-    update();
-    EXPECT_EQ(manifold().points[0].total_normal + manifold().points[0].total_tangent + manifold().points[0].normal_velocity, 0);
-    EXPECT_EQ(manifold().total_rolling, 0);
+    for (const float y : {0.499f, 0.55f})
+    {
+        scene.place(crate, {{2, 0.499f}, {}});
+        update();
+        result() = {.totals = {ContactImpulse{3, 3}, ContactImpulse{3, 3}}, .normal_velocity = {3, 3}, .total_rolling = 4};
+        scene.place(crate, {{2, y}, {}});
+        update();
+        EXPECT_EQ(manifold().count, y < 0.5f ? 2 : 0);
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            EXPECT_EQ(result().totals[i].normal + result().totals[i].tangent, 0) << y;
+            EXPECT_EQ(result().normal_velocity[i], 0) << y;
+        }
+        EXPECT_EQ(result().total_rolling, 0) << y;
+    }
 }
 
 TEST_F(NarrowPhaseTest, two_that_are_near_and_do_not_touch_are_idle_until_they_meet)
@@ -210,11 +220,11 @@ TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)
 TEST_F(NarrowPhaseTest, forgetting_leaves_the_points_without_impulses)
 {
     update();
-    manifold().points[0].normal_impulse = manifold().points[1].tangent_impulse = 3;
+    manifold().impulses = {ContactImpulse{3, 0}, ContactImpulse{0, 3}};
     manifold().carried_impulse = manifold().rolling_impulse = 4;
     forget_impulses(manifold());
     EXPECT_EQ(manifold().count, 2);
-    EXPECT_EQ(manifold().points[0].normal_impulse + manifold().points[1].tangent_impulse, 0);
+    EXPECT_EQ(manifold().impulses[0].normal + manifold().impulses[1].tangent, 0);
     EXPECT_EQ(manifold().carried_impulse + manifold().rolling_impulse, 0);
 }
 

@@ -194,8 +194,9 @@ void destroy_body(WorldState& world, std::uint32_t body)
 void destroy_contact(WorldState& world, std::uint32_t contact)
 {
     const Contact& pair = world.contacts.contacts[contact];
-    note_end(pair, world.shapes, world.world, world.events);
-    if (!pair.is_sensor && world.contacts.manifolds[contact].count > 0)
+    const ContactManifold& manifold = world.contacts.manifolds[contact];
+    note_end(pair, manifold, world.shapes, world.world, world.events);
+    if (!pair.is_sensor && manifold.count > 0)
     {
         wake_body(world, pair.body_a);
         wake_body(world, pair.body_b);
@@ -221,8 +222,9 @@ void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape)
 void mix_again(WorldState& world, std::uint32_t contact)
 {
     const HooksGuard guard(world);
-    mix_materials(world.contacts.contacts[contact], world.shapes, world.rules);
-    world.contacts.contacts[contact].is_disabled = false;
+    Contact& pair = world.contacts.contacts[contact];
+    world.contacts.manifolds[contact].surface = mix_materials(pair, world.shapes, world.rules);
+    pair.is_disabled = false;
 }
 
 void mix_all_again(WorldState& world)

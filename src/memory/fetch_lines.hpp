@@ -13,7 +13,7 @@ void fetch_lines(const T& object)
     constexpr std::size_t line = 64;
     const auto* const bytes = reinterpret_cast<const std::byte*>(&object);
     for (std::size_t i = 0; i < sizeof(T); i += line) __builtin_prefetch(bytes + i);
-    __builtin_prefetch(bytes + sizeof(T) - 1); // it may begin in the middle of a line
+    if (alignof(T) < line) __builtin_prefetch(bytes + sizeof(T) - 1); // it may begin in the middle of a line
 }
 
 } // namespace carom::detail

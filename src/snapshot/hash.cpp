@@ -129,13 +129,11 @@ void add_contacts(Hasher& hasher, const detail::ContactStore& contacts)
         hasher.add_all(contact.next[0], contact.next[1], contact.place_in_awake);
         if (contact.is_passing || contact.is_hitting || contact.is_overridden)
             hasher.add_all(contact.is_passing, contact.is_hitting, contact.is_overridden);
-        hasher.add_all(contact.friction, contact.restitution, contact.rolling_resistance, contact.tangent_speed);
+        const detail::ContactSurface& surface = manifold.surface;
+        hasher.add_all(surface.friction, surface.restitution, surface.rolling_resistance, surface.tangent_speed);
         hasher.add_all(manifold.count, manifold.normal, manifold.rolling_impulse, manifold.carried_impulse);
         for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-        {
-            const detail::ContactPointState& point = manifold.points[i];
-            hasher.add_all(point.feature, point.separation, point.normal_impulse, point.tangent_impulse);
-        }
+            hasher.add_all(manifold.features[i], manifold.separation[i], manifold.impulses[i].normal, manifold.impulses[i].tangent);
     }
 }
 

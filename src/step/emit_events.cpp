@@ -15,12 +15,12 @@ namespace
 /// Speculative points alone are no touch: the surfaces must have met, or the solver must have pushed. What touches goes on touching
 /// until the surfaces are clearly apart, so that a body at rest does not flicker.
 /// @param slop Tolerances::linear_slop [m]
-bool touches(const Contact& contact, const ContactManifold& manifold, float slop)
+bool touches(const Contact& contact, const ContactManifold& manifold, const ContactResult& result, float slop)
 {
     if (contact.is_sensor) return manifold.count > 0;
     const float apart = contact.is_touching ? slop : 0.0f;
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-        if (manifold.points[i].total_normal > 0 || manifold.points[i].separation <= apart) return true;
+        if (result.totals[i].normal > 0 || manifold.separation[i] <= apart) return true;
     return false;
 }
 
@@ -45,13 +45,13 @@ void emit_sensor(Contact& contact, bool touches_now, const ShapeStore& shapes, s
 }
 
 /// For the end, which comes when the points may be gone.
-void remember_impulses(Contact& contact, const ContactManifold& manifold)
+void remember_impulses(ContactManifold& manifold, const ContactResult& result)
 {
-    contact.last_normal = contact.last_tangent = 0;
+    manifold.last = {};
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
     {
-        contact.last_normal += manifold.points[i].total_normal;
-        contact.last_tangent += manifold.points[i].total_tangent;
+        manifold.last.normal += result.totals[i].normal;
+        manifold.last.tangent += result.totals[i].tangent;
     }
 }
 
@@ -61,17 +61,17 @@ bool wants_ends(const Contact& contact, const ShapeStore& shapes)
     return shapes.records[contact.shape_a].contact_events || shapes.records[contact.shape_b].contact_events;
 }
 
-void emit_contact(Contact& contact, const ContactManifold& manifold, bool touches_now, const ShapeStore& shapes, std::uint32_t world,
-                  EventBuffers& events)
+void emit_contact(Contact& contact, ContactManifold& manifold, const ContactResult& result, bool touches_now, const ShapeStore& shapes,
+                  std::uint32_t world, EventBuffers& events)
 {
     const auto id_of = [&](std::uint32_t shape) { return shape_id(shapes, shape, world); };
     if (touches_now && !contact.is_touching && wants_ends(contact, shapes))
-        events.contact_begin.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
+        events.contact_begin.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold, result)});
     else if (touches_now && contact.is_touching && contact.wants_persist)
-        events.contact_persist.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold)});
+        events.contact_persist.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold, result)});
     else if (!touches_now && contact.is_touching && wants_ends(contact, shapes))
-        events.contact_end.push_back({id_of(contact.shape_a), id_of(contact.shape_b), contact.last_normal, contact.last_tangent});
-    if (touches_now) remember_impulses(contact, manifold);
+        events.contact_end.push_back({id_of(contact.shape_a), id_of(contact.shape_b), manifold.last.normal, manifold.last.tangent});
+    if (touches_now) remember_impulses(manifold, result);
     contact.is_touching = touches_now;
 }
 
@@ -82,26 +82,27 @@ struct Impact
     std::size_t point = 0;
 };
 
-Impact impact_of(const ContactManifold& manifold)
+Impact impact_of(int count, const ContactResult& result)
 {
     Impact impact;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
     {
-        const float speed = -manifold.points[i].normal_velocity;
-        if (manifold.points[i].total_normal > 0 && speed > impact.speed) impact = {speed, i};
+        const float speed = -result.normal_velocity[i];
+        if (result.totals[i].normal > 0 && speed > impact.speed) impact = {speed, i};
     }
     return impact;
 }
 
 /// A collision that takes several steps counts once: a contact that was hitting in the step before goes on doing so.
-void emit_hit(Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, const ContactRules& rules, EventBuffers& events)
+void emit_hit(Contact& contact, const ContactManifold& manifold, const ContactResult& result, const ShapeStore& shapes,
+              const ContactRules& rules, EventBuffers& events)
 {
     if (!contact.wants_hits) return;
-    const Impact impact = impact_of(manifold);
+    const Impact impact = impact_of(manifold.count, result);
     const bool is_hitting = impact.speed > rules.hit_speed * shapes.tolerances.length_unit;
     if (is_hitting && !contact.is_hitting)
         events.contact_hit.push_back({shape_id(shapes, contact.shape_a, rules.world), shape_id(shapes, contact.shape_b, rules.world),
-                                      manifold.points[impact.point].position, manifold.normal, impact.speed});
+                                      position_of(manifold, impact.point), manifold.normal, impact.speed});
     contact.is_hitting = is_hitting;
 }
 
@@ -112,6 +113,7 @@ void fetch_ahead(const ContactStore& contacts, std::size_t place)
     if (place >= contacts.awake.size() || contacts.awake_pairs[place].is_idle) return;
     fetch_lines(contacts.contacts[contacts.awake[place]]);
     fetch_lines(contacts.manifolds[contacts.awake[place]]);
+    fetch_lines(contacts.results[contacts.awake[place]]);
 }
 
 template <class List>
@@ -134,23 +136,20 @@ ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t wor
     return {.index = slot, .generation = shapes.slots.generation(slot), .world = world};
 }
 
-Manifold public_manifold(const ContactManifold& manifold)
+Manifold public_manifold(const ContactManifold& manifold, const ContactResult& result)
 {
-    Manifold shown = {.normal = manifold.normal, .points = {}, .point_count = manifold.count, .rolling_impulse = manifold.total_rolling};
+    Manifold shown = {.normal = manifold.normal, .points = {}, .point_count = manifold.count, .rolling_impulse = result.total_rolling};
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-    {
-        const ContactPointState& point = manifold.points[i];
-        shown.points[i] = {.position = point.position,
-                           .separation = point.separation,
-                           .normal_impulse = point.total_normal,
-                           .tangent_impulse = point.total_tangent,
-                           .approach_speed = -point.normal_velocity,
-                           .feature = point.feature};
-    }
+        shown.points[i] = {.position = position_of(manifold, i),
+                           .separation = manifold.separation[i],
+                           .normal_impulse = result.totals[i].normal,
+                           .tangent_impulse = result.totals[i].tangent,
+                           .approach_speed = -result.normal_velocity[i],
+                           .feature = manifold.features[i]};
     return shown;
 }
 
-void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
+void note_end(const Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
     if (!contact.is_touching) return;
     --events.touching;
@@ -161,7 +160,7 @@ void note_end(const Contact& contact, const ShapeStore& shapes, std::uint32_t wo
     }
     if (wants_ends(contact, shapes))
         events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world),
-                                              contact.last_normal, contact.last_tangent});
+                                              manifold.last.normal, manifold.last.tangent});
 }
 
 int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, const ContactRules& rules,
@@ -179,16 +178,17 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
         if (contacts.awake_pairs[place].is_idle) continue;
         const std::uint32_t slot = contacts.awake[place];
         Contact& contact = contacts.contacts[slot];
-        const ContactManifold& manifold = contacts.manifolds[slot];
+        ContactManifold& manifold = contacts.manifolds[slot];
+        const ContactResult& result = contacts.results[slot];
         if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;
-        const bool touches_now = touches(contact, manifold, shapes.tolerances.linear_slop);
+        const bool touches_now = touches(contact, manifold, result, shapes.tolerances.linear_slop);
         events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);
         if (contact.is_sensor)
             emit_sensor(contact, touches_now, shapes, world, events);
         else
         {
-            emit_contact(contact, manifold, touches_now, shapes, world, events);
-            emit_hit(contact, manifold, shapes, rules, events);
+            emit_contact(contact, manifold, result, touches_now, shapes, world, events);
+            emit_hit(contact, manifold, result, shapes, rules, events);
         }
     }
 

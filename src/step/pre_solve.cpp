@@ -12,37 +12,36 @@ namespace carom::detail
 namespace
 {
 
-float approach_speed(const BodyStore& bodies, const Contact& contact, const ContactPointState& point, Vec2 normal)
+float approach_speed(const BodyStore& bodies, const Contact& contact, const ContactArms& arms, Vec2 normal)
 {
-    const Vec2 v_a = bodies.velocity(contact.body_a) + cross(bodies.spin(contact.body_a), point.r_a);
-    const Vec2 v_b = bodies.velocity(contact.body_b) + cross(bodies.spin(contact.body_b), point.r_b);
+    const Vec2 v_a = bodies.velocity(contact.body_a) + cross(bodies.spin(contact.body_a), arms.r_a);
+    const Vec2 v_b = bodies.velocity(contact.body_b) + cross(bodies.spin(contact.body_b), arms.r_b);
     return -dot(v_b - v_a, normal);
 }
 
-PreSolve describe(const WorldState& world, const Contact& contact, const ContactManifold& manifold)
+PreSolve describe(const WorldState& world, const Contact& contact, const ContactManifold& manifold, const ContactResult& result)
 {
     PreSolve shown;
     shown.shape_a = shape_id(world.shapes, contact.shape_a, world.world);
     shown.shape_b = shape_id(world.shapes, contact.shape_b, world.world);
-    shown.manifold = public_manifold(manifold);
+    shown.manifold = public_manifold(manifold, result);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-        shown.manifold.points[i].approach_speed = approach_speed(world.bodies, contact, manifold.points[i], manifold.normal);
+        shown.manifold.points[i].approach_speed = approach_speed(world.bodies, contact, manifold.arms[i], manifold.normal);
     shown.was_touching = contact.is_touching;
-    shown.friction = contact.friction;
-    shown.restitution = contact.restitution;
-    shown.rolling_resistance = contact.rolling_resistance;
-    shown.tangent_speed = contact.tangent_speed;
+    shown.friction = manifold.surface.friction;
+    shown.restitution = manifold.surface.restitution;
+    shown.rolling_resistance = manifold.surface.rolling_resistance;
+    shown.tangent_speed = manifold.surface.tangent_speed;
     return shown;
 }
 
 /// Takes over what the hook changed, as far as it makes sense.
-void apply(const PreSolve& wanted, Contact& contact)
+void apply(const PreSolve& wanted, ContactSurface& surface)
 {
-    if (is_friction(wanted.friction)) contact.friction = wanted.friction;
-    if (is_restitution(wanted.restitution)) contact.restitution = wanted.restitution;
-    if (is_friction(wanted.rolling_resistance)) contact.rolling_resistance = wanted.rolling_resistance;
-    if (std::abs(wanted.tangent_speed) <= max_speed) contact.tangent_speed = wanted.tangent_speed;
-    contact.is_overridden = true;
+    if (is_friction(wanted.friction)) surface.friction = wanted.friction;
+    if (is_restitution(wanted.restitution)) surface.restitution = wanted.restitution;
+    if (is_friction(wanted.rolling_resistance)) surface.rolling_resistance = wanted.rolling_resistance;
+    if (std::abs(wanted.tangent_speed) <= max_speed) surface.tangent_speed = wanted.tangent_speed;
 }
 
 } // namespace
@@ -59,10 +58,11 @@ void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes
         if (contact.is_sensor || manifold.count == 0 || is_separated(contact, world.shapes)) continue;
         if (!world.shapes.records[contact.shape_a].pre_solve && !world.shapes.records[contact.shape_b].pre_solve) continue;
 
-        if (contact.is_overridden) mix_materials(contact, world.shapes, world.rules);
-        PreSolve shown = describe(world, contact, manifold);
+        if (contact.is_overridden) manifold.surface = mix_materials(contact, world.shapes, world.rules);
+        PreSolve shown = describe(world, contact, manifold, world.contacts.results[slot]);
         world.rules.hooks->pre_solve(shown);
-        apply(shown, contact);
+        apply(shown, manifold.surface);
+        contact.is_overridden = true;
         if (shown.is_enabled) continue;
         manifold.count = 0;
         contact.is_disabled = true;

@@ -66,7 +66,7 @@ public:
     void relax(std::span<BodyMotion> motions) override { run(passes_.single.relax, passes_.pairs.relax, motions); }
     void store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const override;
     void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const override;
-    void show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const override;
+    void show(std::span<const BodyMotion> motions, std::span<Manifold> manifolds, bool is_within_substep) const override;
 
 private:
     void run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions);
@@ -200,19 +200,18 @@ void WideContactSolver<F>::store_impulses(ContactStore& contacts, std::span<Body
     for_each_contact([&](const auto& row, int i, std::uint32_t slot)
     {
         ContactManifold& manifold = contacts.manifolds[slot];
+        ContactResult& result = contacts.results[slot];
         manifold.rolling_impulse = lane(row.rolling_lambda, i);
-        manifold.total_rolling = lane(row.rolling_total, i);
+        result.total_rolling = lane(row.rolling_total, i);
         // The mean of the points: followed one by one, they would amplify a tower's rocking.
         float load = 0;
         for (std::size_t p = 0; p < row.points.size(); ++p)
         {
-            ContactPointState& point = manifold.points[p];
-            point.normal_impulse = lane(row.points[p].lambda_n, i);
-            point.tangent_impulse = lane(row.points[p].lambda_t, i);
-            point.total_normal = lane(row.points[p].total_n, i);
-            point.total_tangent = lane(row.points[p].total_t, i);
-            point.normal_velocity = lane(row.points[p].normal_velocity, i);
-            load += point.normal_impulse / static_cast<float>(row.points.size());
+            const auto& point = row.points[p];
+            manifold.impulses[p] = {lane(point.lambda_n, i), lane(point.lambda_t, i)};
+            result.totals[p] = {lane(point.total_n, i), lane(point.total_t, i)};
+            result.normal_velocity[p] = lane(point.normal_velocity, i);
+            load += manifold.impulses[p].normal / static_cast<float>(row.points.size());
         }
         const float carried = lane(row.carried, i);
         const float missing = carried_part * load - carried;
@@ -251,7 +250,7 @@ void WideContactSolver<F>::mark_driven(std::span<const BodyMotion> motions, std:
 }
 
 template <class F>
-void WideContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const
+void WideContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<Manifold> manifolds, bool is_within_substep) const
 {
     const float pending = is_within_substep ? 1.0f : 0.0f;
     for_each_contact([&](const auto& wide, int i, std::uint32_t slot)
@@ -259,18 +258,18 @@ void WideContactSolver<F>::show(std::span<const BodyMotion> motions, std::span<C
         const auto row = lane_of(wide, i);
         const BodyLanes<float> a = gather(motions, row.body_a);
         const BodyLanes<float> b = gather(motions, row.body_b);
-        ContactManifold& manifold = manifolds[slot];
-        manifold.total_rolling = row.rolling_total + pending * row.rolling_lambda;
+        Manifold& manifold = manifolds[slot];
+        manifold.rolling_impulse = row.rolling_total + pending * row.rolling_lambda;
         for (std::size_t p = 0; p < row.points.size(); ++p)
         {
             const PointRow<float>& from = row.points[p];
-            ContactPointState& point = manifold.points[p];
+            ContactPoint& point = manifold.points[p];
             const LaneVec<float> way = (a.dp + rotate(a.dq, from.r_a) - from.r_a) + (b.dp + rotate(b.dq, from.r_b) - from.r_b);
             point.position += 0.5f * Vec2{way.x, way.y}; // halfway between the surfaces
             point.separation = separation(row, from, a, b);
-            point.total_normal = from.total_n + pending * from.lambda_n;
-            point.total_tangent = from.total_t + pending * from.lambda_t;
-            point.normal_velocity = from.normal_velocity;
+            point.normal_impulse = from.total_n + pending * from.lambda_n;
+            point.tangent_impulse = from.total_t + pending * from.lambda_t;
+            point.approach_speed = -from.normal_velocity;
         }
     });
 }

@@ -7,6 +7,8 @@
 #include "solver/rows/graph_colors.hpp"
 #include "solver/rows/softness.hpp"
 
+#include <carom/events.hpp>
+
 #include <memory>
 #include <memory_resource>
 #include <span>
@@ -38,9 +40,10 @@ public:
     /// Notes the bodies that a surface with a tangent speed carries, or that carry it.
     virtual void mark_driven(std::span<const BodyMotion> motions, std::span<BodyWatch> watches) const = 0;
 
-    /// Writes what the rows hold into copies of the manifolds, as of this moment: what the step has applied so far, and where the points have come to.
+    /// Writes what the rows hold into manifolds, as of this moment: what the step has applied so far, and where the points have come to.
+    /// @param manifolds of all contacts by slot, as they were at the start of the step
     /// @param is_within_substep whether the impulses of the substep in hand act on the bodies already, and are not yet in the sums
-    virtual void show(std::span<const BodyMotion> motions, std::span<ContactManifold> manifolds, bool is_within_substep) const = 0;
+    virtual void show(std::span<const BodyMotion> motions, std::span<Manifold> manifolds, bool is_within_substep) const = 0;
 };
 
 /// Ends a solver whose bytes go with the arena that they came from.

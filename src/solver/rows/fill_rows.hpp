@@ -44,17 +44,17 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     const bool a_whirls = w_a * w_a > whirl_speed * whirl_speed;
     const bool b_whirls = w_b * w_b > whirl_speed * whirl_speed;
     const Vec2 n = manifold.normal;
-    const float gap = 0.5f * manifold.points[0].separation; // points are halfway between the surfaces
+    const float gap = 0.5f * manifold.separation[0]; // points are halfway between the surfaces
 
     row.contact[static_cast<std::size_t>(i)] = slot;
     fill_bodies(row, i, index_a, index_b, mass_a, mass_b);
     set_lane(row.n, i, n);
-    lane(row.core_a, i) = a_whirls ? dot(manifold.points[0].r_a, n) : manifold.rounding_a + gap;
-    lane(row.core_b, i) = b_whirls ? -dot(manifold.points[0].r_b, n) : manifold.rounding_b + gap;
-    lane(row.friction, i) = contact.friction;
-    lane(row.restitution, i) = contact.restitution;
-    lane(row.tangent_speed, i) = contact.tangent_speed;
-    lane(row.rolling_resistance, i) = contact.rolling_resistance;
+    lane(row.core_a, i) = a_whirls ? dot(manifold.arms[0].r_a, n) : manifold.rounding_a + gap;
+    lane(row.core_b, i) = b_whirls ? -dot(manifold.arms[0].r_b, n) : manifold.rounding_b + gap;
+    lane(row.friction, i) = manifold.surface.friction;
+    lane(row.restitution, i) = manifold.surface.restitution;
+    lane(row.tangent_speed, i) = manifold.surface.tangent_speed;
+    lane(row.rolling_resistance, i) = manifold.surface.rolling_resistance;
     lane(row.rolling_lambda, i) = constants.warm_scale * manifold.rolling_impulse;
     lane(row.bias_rate, i) = softness.bias_rate;
     lane(row.mass_scale, i) = softness.mass_scale;
@@ -62,13 +62,13 @@ void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore&
     lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
     for (std::size_t p = 0; p < N; ++p)
     {
-        const ContactPointState& point = manifold.points[p];
+        const ContactArms& arms = manifold.arms[p];
         PointRow<F>& to = row.points[p];
-        set_lane(to.r_a, i, a_whirls ? arm_of_disc(point.r_a, n) : point.r_a);
-        set_lane(to.r_b, i, b_whirls ? arm_of_disc(point.r_b, n) : point.r_b);
-        lane(to.adjusted_separation, i) = point.separation; // prepare() adjusts it
-        lane(to.lambda_n, i) = constants.warm_scale * point.normal_impulse;
-        lane(to.lambda_t, i) = constants.warm_scale * point.tangent_impulse;
+        set_lane(to.r_a, i, a_whirls ? arm_of_disc(arms.r_a, n) : arms.r_a);
+        set_lane(to.r_b, i, b_whirls ? arm_of_disc(arms.r_b, n) : arms.r_b);
+        lane(to.adjusted_separation, i) = manifold.separation[p]; // prepare() adjusts it
+        lane(to.lambda_n, i) = constants.warm_scale * manifold.impulses[p].normal;
+        lane(to.lambda_t, i) = constants.warm_scale * manifold.impulses[p].tangent;
     }
 }
 
@@ -142,7 +142,7 @@ bool write_rows(std::pmr::vector<ContactRow<F, N>>& rows, std::span<const std::u
                 fetch_lines(contacts.manifolds[slots[i + fetched_ahead]]);
             }
             fill_row(row, static_cast<int>(i - begin), slots[i], bodies, contacts, constants);
-            any_belts |= contacts.contacts[slots[i]].tangent_speed != 0;
+            any_belts |= contacts.manifolds[slots[i]].surface.tangent_speed != 0;
         }
     }
     return any_belts;
