@@ -30,7 +30,6 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].place_in_awake = null_index;
     wake(slot);
     manifolds[slot] = {};
-    results[slot] = {};
     memories[slot] = {};
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
     link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);

@@ -90,16 +90,17 @@ struct alignas(64) ContactManifold
     ContactSurface surface;
 
     std::array<std::uint32_t, 2> features{};
-    int count = 0;         ///< points; a sensor's overlap counts as one
-    Vec2 center_a;         ///< A's centre of mass at the start of the step [m]
-    ContactImpulse last{}; ///< of all points over the last step in which it touched
+    int count = 0;           ///< points; a sensor's overlap counts as one
+    Vec2 center_a;           ///< A's centre of mass at the start of the step [m]
+    ContactImpulse last{};   ///< of all points over the last step in which it touched
+    bool has_result = false; ///< whether the solver has worked on these points: else what ContactResult holds is old
 };
 static_assert(sizeof(ContactManifold) == 128);
 
 /// Where a point was at the start of the step, halfway between the surfaces [m].
 inline Vec2 position_of(const ContactManifold& manifold, std::size_t point) { return manifold.center_a + manifold.arms[point].r_a; }
 
-/// What the solver did at a contact's points in a step, by contact slot.
+/// What the solver did at a contact's points in a step, by contact slot. Of one point the second is zero.
 struct alignas(32) ContactResult
 {
     std::array<ContactImpulse, 2> totals;   ///< over the step
@@ -107,6 +108,12 @@ struct alignas(32) ContactResult
     float total_rolling = 0;                ///< over the step [N m s]
 };
 static_assert(sizeof(ContactResult) == 32);
+
+/// The result that goes with the points that a manifold has now.
+inline ContactResult result_of(const ContactManifold& manifold, const ContactResult& result)
+{
+    return manifold.has_result ? result : ContactResult{};
+}
 
 /// What a step reads first of an awake contact: most pairs of a crowd are near and do not touch, and need nothing else.
 struct AwakePair
@@ -151,7 +158,7 @@ public:
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
     std::pmr::vector<ContactManifold> manifolds;
-    std::pmr::vector<ContactResult> results; ///< zero of contacts without points
+    std::pmr::vector<ContactResult> results;
     std::pmr::vector<CollisionMemory> memories;
     std::pmr::vector<std::uint32_t> awake;   ///< slots, in an order that only the history of the world decides
     std::pmr::vector<AwakePair> awake_pairs; ///< of the awake contacts, in the same order

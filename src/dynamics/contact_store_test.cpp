@@ -84,7 +84,7 @@ TEST(ContactStore, AUsedPlaceStartsCold)
     contacts.contacts[slot].is_touching = true;
     contacts.manifolds[slot].count = 2;
     contacts.manifolds[slot].carried_impulse = 7;
-    contacts.results[slot].total_rolling = 7;
+    contacts.manifolds[slot].has_result = true;
     contacts.memories[slot].result = CollisionMemory::Result::Gap;
     contacts.destroy(slot, bodies);
     ASSERT_EQ(contacts.create(pair, bodies), slot);
@@ -92,7 +92,7 @@ TEST(ContactStore, AUsedPlaceStartsCold)
     EXPECT_FALSE(contacts.contacts[slot].is_touching);
     EXPECT_EQ(contacts.manifolds[slot].count, 0);
     EXPECT_EQ(contacts.manifolds[slot].carried_impulse, 0);
-    EXPECT_EQ(contacts.results[slot].total_rolling, 0);
+    EXPECT_FALSE(contacts.manifolds[slot].has_result);
     EXPECT_EQ(contacts.memories[slot].result, CollisionMemory::Result::Nothing);
 }
 

@@ -39,20 +39,14 @@ void match_points(ContactManifold& manifold, const LocalManifold& local)
     manifold.count = local.count;
 }
 
-void take_points_away(ContactManifold& manifold, ContactResult& result)
+/// Writes a contact as it is now.
+void write(ContactManifold& manifold, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
 {
-    if (manifold.count == 0) return; // then the result is zero
-    manifold.count = 0;
-    result = {};
-}
-
-/// Writes a contact as it is now. The result of the last step is gone.
-void write(ContactManifold& manifold, ContactResult& result, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
-{
+    manifold.has_result = false;
     manifold.normal = rotate(pose_a.transform.q, local.normal);
     if (local.count == 0)
     {
-        take_points_away(manifold, result);
+        manifold.count = 0;
         manifold.rolling_impulse = manifold.carried_impulse = 0;
         return;
     }
@@ -66,7 +60,6 @@ void write(ContactManifold& manifold, ContactResult& result, const LocalManifold
         arms.r_b = arms.r_a - centers;
         manifold.separation[i] = local.points[i].separation;
     }
-    result = {};
 }
 
 /// Looks at the surroundings of a contact when they are not known.
@@ -100,7 +93,6 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
 {
     Contact& contact = contacts.contacts[slot];
     ContactManifold& manifold = contacts.manifolds[slot];
-    ContactResult& result = contacts.results[slot];
     const BodyPose& pose_a = bodies.poses[contact.body_a];
     const BodyPose& pose_b = bodies.poses[contact.body_b];
     const Transform b_in_a = relative(pose_a.transform, pose_b.transform);
@@ -113,9 +105,9 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
         manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
         manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
     }
-    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, result, alone, pose_a, pose_b);
+    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
-    write(manifold, result, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
+    write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
 }
 
 bool overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
@@ -131,7 +123,8 @@ bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& b
     ContactManifold& manifold = contacts.manifolds[slot];
     if (!may_have_points)
     {
-        take_points_away(manifold, contacts.results[slot]);
+        manifold.count = 0;
+        manifold.has_result = false;
         if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
             keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
     }

@@ -18,7 +18,7 @@ class NarrowPhaseTest : public testing::Test
 protected:
     void update() { update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes); }
     ContactManifold& manifold() { return scene.contacts.manifolds[slot]; }
-    ContactResult& result() { return scene.contacts.results[slot]; }
+    ContactResult result() { return result_of(manifold(), scene.contacts.results[slot]); }
 
     SmallScene scene;
     std::uint32_t ground = scene.add({.type = BodyType::Static, .position = {0, -0.5f}}, box(10, 1));
@@ -161,7 +161,10 @@ TEST_F(NarrowPhaseTest, the_result_of_the_last_step_is_gone)
     {
         scene.place(crate, {{2, 0.499f}, {}});
         update();
-        result() = {.totals = {ContactImpulse{3, 3}, ContactImpulse{3, 3}}, .normal_velocity = {3, 3}, .total_rolling = 4};
+        manifold().has_result = true;
+        scene.contacts.results[slot] = {
+            .totals = {ContactImpulse{3, 3}, ContactImpulse{3, 3}}, .normal_velocity = {3, 3}, .total_rolling = 4};
+        ASSERT_EQ(result().total_rolling, 4);
         scene.place(crate, {{2, y}, {}});
         update();
         EXPECT_EQ(manifold().count, y < 0.5f ? 2 : 0);

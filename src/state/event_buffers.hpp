@@ -81,7 +81,8 @@ struct EventBuffers
 ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world);
 
 /// A contact as the public API shows it.
-Manifold public_manifold(const ContactManifold& manifold, const ContactResult& result);
+/// @param stored what the store holds for it
+Manifold public_manifold(const ContactManifold& manifold, const ContactResult& stored);
 
 /// Notes that a contact which the events have told as touching ends, whatever the reason. Call before its shapes are gone.
 void note_end(const Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);

@@ -136,8 +136,9 @@ ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t wor
     return {.index = slot, .generation = shapes.slots.generation(slot), .world = world};
 }
 
-Manifold public_manifold(const ContactManifold& manifold, const ContactResult& result)
+Manifold public_manifold(const ContactManifold& manifold, const ContactResult& stored)
 {
+    const ContactResult result = result_of(manifold, stored);
     Manifold shown = {.normal = manifold.normal, .points = {}, .point_count = manifold.count, .rolling_impulse = result.total_rolling};
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
         shown.points[i] = {.position = position_of(manifold, i),
@@ -179,8 +180,8 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
         const std::uint32_t slot = contacts.awake[place];
         Contact& contact = contacts.contacts[slot];
         ContactManifold& manifold = contacts.manifolds[slot];
-        const ContactResult& result = contacts.results[slot];
         if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;
+        const ContactResult result = result_of(manifold, contacts.results[slot]);
         const bool touches_now = touches(contact, manifold, result, shapes.tolerances.linear_slop);
         events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);
         if (contact.is_sensor)

@@ -202,6 +202,8 @@ void WideContactSolver<F>::store_impulses(ContactStore& contacts, std::span<Body
         ContactManifold& manifold = contacts.manifolds[slot];
         ContactResult& result = contacts.results[slot];
         manifold.rolling_impulse = lane(row.rolling_lambda, i);
+        manifold.has_result = true;
+        result = {};
         result.total_rolling = lane(row.rolling_total, i);
         // The mean of the points: followed one by one, they would amplify a tower's rocking.
         float load = 0;
