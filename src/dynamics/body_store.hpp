@@ -27,8 +27,8 @@ struct BodyMotion
 };
 static_assert(sizeof(BodyMotion) == 32);
 
-/// Resistance of an active body, by motion index. Zero is "can't be pushed": kinematic bodies, locked axes.
-struct BodyMass
+/// Resistance of an active body, by motion index. Zero is "can't be pushed": kinematic bodies, locked axes. Four floats, which lanes load as a whole.
+struct alignas(16) BodyMass
 {
     Vec2 inv_mass;         ///< along each axis [1/kg]
     float inv_inertia = 0; ///< [1/(kg m^2)]

@@ -2,7 +2,7 @@
 // some can: raw pointers and plain numbers.
 #pragma once
 
-#include "solver/kernels/contact_row.hpp"
+#include "solver/kernels/contact_records.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +15,36 @@ namespace carom::detail
 /// @param motions see motion_floats
 using ContactPass = void (*)(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants);
 
-/// The pass over rows that have just been filled.
-/// @return whether any may bounce
-using PreparePass = bool (*)(void* rows, std::size_t begin, std::size_t end, const float* motions, const PassConstants<float>& constants);
+/// Contacts and bodies that rows are filled from.
+struct RowSource
+{
+    const float* manifolds;            ///< by contact slot, see ManifoldFloats
+    const std::uint32_t* bodies;       ///< slots of the bodies of each contact, by contact slot
+    std::size_t words_per_contact;     ///< between the bodies of one contact and those of the next
+    const std::uint32_t* motion_index; ///< by body slot
+    const float* masses;               ///< by motion index, see mass_floats
+    const float* motions;              ///< see motion_floats
+    FillConstants<float> fill;
+    PassConstants<float> pass;
+};
+
+/// The contacts of rows of one colour.
+struct RowContacts
+{
+    const std::uint32_t* slots;
+    std::size_t count;
+    std::size_t lanes; ///< how many lanes of a row to use: all, or one where contacts depend on each other
+};
+
+/// What some of a step's rows need besides the passes.
+struct RowNeeds
+{
+    bool any_bounces; ///< whether any may bounce
+    bool any_belts;   ///< whether a surface has a tangent speed
+};
+
+/// Fills rows that nothing has been written to. Free lanes of a last row push nothing.
+using FillPass = RowNeeds (*)(void* rows, const RowContacts& contacts, const RowSource& source);
 
 /// What a round of bounces knows besides.
 struct BounceRound
@@ -34,7 +61,7 @@ using BouncePass = bool (*)(void* rows, std::size_t begin, std::size_t end, floa
 /// Of rows with as many points as one another.
 struct ContactPasses
 {
-    PreparePass prepare;
+    FillPass fill;
     ContactPass warm_start;
     ContactPass solve;
     ContactPass relax;

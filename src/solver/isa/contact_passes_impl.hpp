@@ -27,19 +27,82 @@ void for_rows(void* rows, std::size_t begin, std::size_t end, float* motions, co
     }
 }
 
-template <class F, int N>
-[[gnu::flatten]] bool prepare_rows(void* rows, std::size_t begin, std::size_t end, const float* motions,
-                                   const PassConstants<float>& constants)
+template <class F>
+FillConstants<F> widened(const FillConstants<float>& k)
 {
-    const PassConstants<F> k = widened<F>(constants);
-    bool any_bounces = false;
-    for (std::size_t i = begin; i < end; ++i)
+    const auto wide = [](const SoftnessLanes<float>& s) { return SoftnessLanes<F>{F(s.bias_rate), F(s.mass_scale), F(s.impulse_scale)}; };
+    return {F(k.warm_scale), F(k.whirl_speed), wide(k.between_dynamic), wide(k.with_static)};
+}
+
+/// How many contacts ahead their lines are fetched: those of one colour lie anywhere.
+inline constexpr std::size_t fetched_ahead = 6;
+
+/// Begins to bring a contact's lines into the cache.
+template <class F>
+void fetch_contact(const RowSource& source, std::uint32_t slot)
+{
+    const float* const manifold = source.manifolds + ManifoldFloats::all * slot;
+    __builtin_prefetch(manifold);
+    __builtin_prefetch(manifold + ManifoldFloats::impulses);
+    __builtin_prefetch(source.bodies + source.words_per_contact * slot);
+}
+
+/// Notes in the lanes of a row which contacts and bodies they hold.
+/// @param nothing the record of free lanes
+/// @return the manifolds
+template <class F, int N>
+LaneRecords<F, const float> place_contacts(ContactRow<F, N>& row, const std::uint32_t* slots, std::size_t count, const RowSource& source,
+                                           const float* nothing)
+{
+    LaneRecords<F, const float> manifolds;
+    for (std::size_t i = 0; i < count; ++i)
     {
-        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[i];
-        prepare(row, k, gather(motions, row.body_a), gather(motions, row.body_b));
-        any_bounces = any_bounces || row.may_bounce;
+        const std::uint32_t* const bodies = source.bodies + source.words_per_contact * slots[i];
+        row.contact[i] = slots[i];
+        row.body_a[i] = source.motion_index[bodies[0]];
+        row.body_b[i] = source.motion_index[bodies[1]];
+        manifolds.at[i] = source.manifolds + ManifoldFloats::all * slots[i];
     }
-    return any_bounces;
+    for (std::size_t i = count; i < static_cast<std::size_t>(lane_width<F>); ++i)
+    {
+        row.contact[i] = no_contact;
+        row.body_a[i] = row.body_b[i] = 0;
+        manifolds.at[i] = nothing;
+    }
+    return manifolds;
+}
+
+template <class F>
+LaneRecords<F, const float> records_of(const float* records, std::size_t floats, const LaneIndices<F>& indices)
+{
+    LaneRecords<F, const float> lanes;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i) lanes.at[i] = records + floats * indices[i];
+    return lanes;
+}
+
+template <class F, int N>
+[[gnu::flatten]] RowNeeds fill_rows(void* rows, const RowContacts& contacts, const RowSource& source)
+{
+    const PassConstants<F> k = widened<F>(source.pass);
+    const FillConstants<F> fill_k = widened<F>(source.fill);
+    const float nothing[ManifoldFloats::all] = {};
+    RowNeeds needs = {};
+    for (std::size_t begin = 0, r = 0; begin < contacts.count; begin += contacts.lanes, ++r)
+    {
+        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[r];
+        const std::size_t left = contacts.count - begin;
+        const std::size_t count = left < contacts.lanes ? left : contacts.lanes;
+        const std::size_t ahead = begin + fetched_ahead;
+        for (std::size_t i = ahead; i < ahead + contacts.lanes && i < contacts.count; ++i) fetch_contact<F>(source, contacts.slots[i]);
+        const LaneRecords<F, const float> manifolds = place_contacts(row, contacts.slots + begin, count, source, nothing);
+        const RowBodies<F> bodies = {gather(source.motions, row.body_a), gather(source.motions, row.body_b),
+                                     gather_four(records_of<F>(source.masses, mass_floats, row.body_a), 0),
+                                     gather_four(records_of<F>(source.masses, mass_floats, row.body_b), 0)};
+        fill(row, manifolds, bodies, fill_k, k);
+        needs.any_bounces = needs.any_bounces || row.may_bounce;
+        needs.any_belts = needs.any_belts || any(row.tangent_speed > F(0)) || any(row.tangent_speed < F(0));
+    }
+    return needs;
 }
 
 template <class F, int N>
@@ -119,7 +182,7 @@ template <class F, int N>
 }
 
 template <class F, int N>
-inline constexpr ContactPasses contact_passes = {&prepare_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
+inline constexpr ContactPasses contact_passes = {&fill_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
                                                  &bounce_rows<F, N>};
 
 } // namespace carom::detail

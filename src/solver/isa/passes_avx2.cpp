@@ -1,5 +1,5 @@
 // Eight lanes. Compiled for AVX2.
-#include "solver/isa/wide_lanes.hpp"
+#include "solver/isa/wide_records.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

@@ -1,5 +1,5 @@
 // Sixteen lanes. Compiled for AVX-512 with its F, DQ and VL parts.
-#include "solver/isa/wide_lanes.hpp"
+#include "solver/isa/wide_records.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

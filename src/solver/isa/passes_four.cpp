@@ -1,5 +1,5 @@
 // Four lanes, which every machine has: SSE2, NEON or WASM.
-#include "solver/isa/wide_lanes.hpp"
+#include "solver/isa/wide_records.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

@@ -364,26 +364,23 @@ inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<
 
 #if defined(__AVX2__)
 
-/// The first eight floats of eight records, a column of each.
+/// Eight floats of eight records, or their columns.
 template <class Tag>
 struct Octet
 {
     __m256 f0, f1, f2, f3, f4, f5, f6, f7;
 };
 
-/// @param stride of a record [floats]
+/// Rows to columns.
 template <class Tag>
-Octet<Tag> gather_octet(const float* records, std::size_t stride, const std::uint32_t* indices)
+Octet<Tag> transposed(const Octet<Tag>& rows)
 {
-    const auto record = [&](std::size_t i) { return _mm256_loadu_ps(records + stride * indices[i]); };
-    const __m256 b0 = record(0), b1 = record(1), b2 = record(2), b3 = record(3), b4 = record(4), b5 = record(5), b6 = record(6),
-                 b7 = record(7);
-    // Pairs of records: floats 0 and 1 (and 4 and 5), floats 2 and 3 (and 6 and 7).
-    const __m256 lo_01 = _mm256_unpacklo_ps(b0, b1), hi_01 = _mm256_unpackhi_ps(b0, b1);
-    const __m256 lo_23 = _mm256_unpacklo_ps(b2, b3), hi_23 = _mm256_unpackhi_ps(b2, b3);
-    const __m256 lo_45 = _mm256_unpacklo_ps(b4, b5), hi_45 = _mm256_unpackhi_ps(b4, b5);
-    const __m256 lo_67 = _mm256_unpacklo_ps(b6, b7), hi_67 = _mm256_unpackhi_ps(b6, b7);
-    // Four records a float: float k in the lower half, float k + 4 in the upper.
+    // Pairs of rows: floats 0 and 1 (and 4 and 5), floats 2 and 3 (and 6 and 7).
+    const __m256 lo_01 = _mm256_unpacklo_ps(rows.f0, rows.f1), hi_01 = _mm256_unpackhi_ps(rows.f0, rows.f1);
+    const __m256 lo_23 = _mm256_unpacklo_ps(rows.f2, rows.f3), hi_23 = _mm256_unpackhi_ps(rows.f2, rows.f3);
+    const __m256 lo_45 = _mm256_unpacklo_ps(rows.f4, rows.f5), hi_45 = _mm256_unpackhi_ps(rows.f4, rows.f5);
+    const __m256 lo_67 = _mm256_unpacklo_ps(rows.f6, rows.f7), hi_67 = _mm256_unpackhi_ps(rows.f6, rows.f7);
+    // Four rows a float: float k in the lower half, float k + 4 in the upper.
     constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
     const __m256 f0_a = _mm256_shuffle_ps(lo_01, lo_23, first), f0_b = _mm256_shuffle_ps(lo_45, lo_67, first);
     const __m256 f1_a = _mm256_shuffle_ps(lo_01, lo_23, second), f1_b = _mm256_shuffle_ps(lo_45, lo_67, second);
@@ -393,6 +390,14 @@ Octet<Tag> gather_octet(const float* records, std::size_t stride, const std::uin
     return {_mm256_permute2f128_ps(f0_a, f0_b, lower), _mm256_permute2f128_ps(f1_a, f1_b, lower), _mm256_permute2f128_ps(f2_a, f2_b, lower),
             _mm256_permute2f128_ps(f3_a, f3_b, lower), _mm256_permute2f128_ps(f0_a, f0_b, upper), _mm256_permute2f128_ps(f1_a, f1_b, upper),
             _mm256_permute2f128_ps(f2_a, f2_b, upper), _mm256_permute2f128_ps(f3_a, f3_b, upper)};
+}
+
+/// @param stride of a record [floats]
+template <class Tag>
+Octet<Tag> gather_octet(const float* records, std::size_t stride, const std::uint32_t* indices)
+{
+    const auto record = [&](std::size_t i) { return _mm256_loadu_ps(records + stride * indices[i]); };
+    return transposed<Tag>({record(0), record(1), record(2), record(3), record(4), record(5), record(6), record(7)});
 }
 
 /// Writes the first four floats of eight bodies.

@@ -34,6 +34,9 @@ struct PointRow
     F total_t;             ///< over the step so far
 };
 
+/// In the place of a contact's slot where a lane is free.
+inline constexpr std::uint32_t no_contact = 0xffffffffu;
+
 /// A contact of `Points` points in each lane.
 template <class F, int Points>
 struct ContactRow
@@ -63,7 +66,7 @@ struct ContactRow
     F impulse_scale;
     F carried; ///< lambda_c of each point
     std::array<PointRow<F>, Points> points;
-    LaneIndices<F> contact; ///< where the lane's results go back to
+    LaneIndices<F> contact; ///< slots: where the lane's results go back to
     bool may_bounce;        ///< whether any lane approaches fast enough to bounce
 };
 

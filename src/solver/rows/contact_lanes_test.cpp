@@ -28,7 +28,9 @@ struct RandomPile
             const bool moves = type != BodyType::Static;
             bodies.create({.type = type,
                            .linear_velocity = moves ? Vec2{from(-3, 3), i % 2 == 0 ? -0.0f : from(-3, 3)} : Vec2{},
-                           .angular_velocity = moves ? from(-2, 2) : 0.0f,
+                           .angular_velocity = !moves       ? 0.0f
+                                               : i % 9 == 4 ? from(250, 400)
+                                                            : from(-2, 2), // some whirl
                            .locks = {.x = i % 11 == 3, .y = i % 13 == 4, .rotation = i % 5 == 1}});
         }
         for (BodyMass& mass : bodies.masses)

@@ -50,8 +50,9 @@ class WideContactSolver final : public ContactSolver
 public:
     WideContactSolver(const SolverPasses& passes, std::pmr::memory_resource& memory)
         : passes_(passes),
-          single_(&memory),
-          double_(&memory),
+          single_(memory),
+          double_(memory),
+          memory_(memory),
           ranges_(&memory),
           struck_(&memory),
           falls_(&memory)
@@ -73,12 +74,14 @@ private:
     template <class Action>
     void for_each_contact(Action&& action) const;
     void make_room_for_rows(const ContactsByPoints& slots);
-    void build_color(const ContactsByPoints& slots, int color, const BodyStore& bodies, const ContactStore& contacts,
-                     const ContactConstants& constants);
+    void build_color(const ContactsByPoints& slots, int color, const RowSource& source);
+    template <class Row>
+    void fill(RowList<Row>& rows, FillPass pass, const RowContacts& contacts, const RowSource& source);
 
     const SolverPasses& passes_;
-    std::pmr::vector<ContactRow<F, 1>> single_;
-    std::pmr::vector<ContactRow<F, 2>> double_;
+    RowList<ContactRow<F, 1>> single_;
+    RowList<ContactRow<F, 2>> double_;
+    std::pmr::memory_resource& memory_;
     std::pmr::vector<ColorRange> ranges_;
     std::pmr::vector<std::uint32_t> struck_;       ///< see BounceRound
     std::pmr::vector<std::array<float, 4>> falls_; ///< see BounceRound
@@ -90,21 +93,40 @@ private:
     bool any_belts_ = false; ///< whether a surface has a tangent speed
 };
 
+/// How many rows hold so many contacts.
+std::size_t rows_for(std::size_t contacts, std::size_t lanes) { return (contacts + lanes - 1) / lanes; }
+
+/// Lanes of a row that contacts of a colour may share.
 template <class F>
-void WideContactSolver<F>::build_color(const ContactsByPoints& slots, int color, const BodyStore& bodies, const ContactStore& contacts,
-                                       const ContactConstants& constants)
+std::size_t lanes_of_color(int color)
 {
-    if (slots.singles(color).empty() && slots.doubles(color).empty()) return;
-    const std::size_t lanes = color == overflow_color ? 1 : lane_width<F>;
+    return color == overflow_color ? 1 : lane_width<F>;
+}
+
+template <class F>
+template <class Row>
+void WideContactSolver<F>::fill(RowList<Row>& rows, FillPass pass, const RowContacts& contacts, const RowSource& source)
+{
+    const RowNeeds needs = pass(rows.add(rows_for(contacts.count, contacts.lanes)), contacts, source);
+    any_bounces_ = any_bounces_ || needs.any_bounces;
+    any_belts_ = any_belts_ || needs.any_belts;
+}
+
+template <class F>
+void WideContactSolver<F>::build_color(const ContactsByPoints& slots, int color, const RowSource& source)
+{
+    const std::span<const std::uint32_t> singles = slots.singles(color);
+    const std::span<const std::uint32_t> doubles = slots.doubles(color);
+    if (singles.empty() && doubles.empty()) return;
+    const std::size_t lanes = lanes_of_color<F>(color);
     ColorRange range = {single_.size(), 0, double_.size(), 0};
-    any_belts_ |= write_rows(single_, slots.singles(color), lanes, bodies, contacts, constants);
-    any_belts_ |= write_rows(double_, slots.doubles(color), lanes, bodies, contacts, constants);
+    fill(single_, passes_.single.fill, {singles.data(), singles.size(), lanes}, source);
+    fill(double_, passes_.pairs.fill, {doubles.data(), doubles.size(), lanes}, source);
     range.end_single = single_.size();
     range.end_double = double_.size();
     ranges_.push_back(range);
 }
 
-/// So that no list grows while it is filled.
 template <class F>
 void WideContactSolver<F>::make_room_for_rows(const ContactsByPoints& slots)
 {
@@ -112,12 +134,12 @@ void WideContactSolver<F>::make_room_for_rows(const ContactsByPoints& slots)
     std::size_t doubles = 0;
     for (int color = 0; color < color_count; ++color)
     {
-        const std::size_t lanes = color == overflow_color ? 1 : lane_width<F>;
-        singles += (slots.singles(color).size() + lanes - 1) / lanes;
-        doubles += (slots.doubles(color).size() + lanes - 1) / lanes;
+        singles += rows_for(slots.singles(color).size(), lanes_of_color<F>(color));
+        doubles += rows_for(slots.doubles(color).size(), lanes_of_color<F>(color));
     }
-    single_.reserve(singles);
-    double_.reserve(doubles);
+    single_.renew(singles);
+    double_.renew(doubles);
+    ranges_.clear();
     ranges_.reserve(color_count);
 }
 
@@ -125,10 +147,7 @@ template <class F>
 void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts,
                                  const ContactConstants& constants)
 {
-    single_.clear();
-    double_.clear();
-    ranges_.clear();
-    const ContactsByPoints slots(colors, contacts, *single_.get_allocator().resource());
+    const ContactsByPoints slots(colors, contacts, memory_);
     make_room_for_rows(slots);
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
@@ -136,12 +155,9 @@ void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodi
     settled_within_ = constants.settled_within;
     constants_ = {constants.inv_h, constants.push_out_speed, constants.restitution_threshold, 1.25f * constants.dt, constants.h};
 
-    build_color(slots, overflow_color, bodies, contacts, constants);
-    for (int color = 0; color < overflow_color; ++color) build_color(slots, color, bodies, contacts, constants);
-    const float* const motions = floats_of(std::span(bodies.motions));
-    const bool any_single = passes_.single.prepare(single_.data(), 0, single_.size(), motions, constants_);
-    const bool any_pair = passes_.pairs.prepare(double_.data(), 0, double_.size(), motions, constants_);
-    any_bounces_ = any_single || any_pair;
+    const RowSource source = source_of(bodies, contacts, constants, constants_);
+    build_color(slots, overflow_color, source);
+    for (int color = 0; color < overflow_color; ++color) build_color(slots, color, source);
 }
 
 template <class F>

@@ -1,13 +1,13 @@
-// From contacts to rows: each contact becomes a lane of a row for its number of points.
+// From contacts to rows: which contacts become rows together, and what their rows are filled from.
 #pragma once
 
-#include "memory/fetch_lines.hpp"
-#include "solver/kernels/contact_row.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/contact_store.hpp"
+#include "solver/isa/contact_passes.hpp"
 #include "solver/rows/body_lanes.hpp"
 #include "solver/rows/graph_colors.hpp"
 #include "solver/rows/softness.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,58 +18,32 @@
 namespace carom::detail
 {
 
-/// A body that turns by more than this in a substep is everywhere around its centre at once, and meets others as a disc would [rad]. At its corner as it
-/// happens to be, its spin may seem to take it away from what it runs into. Test: bullets_test.
+static_assert(sizeof(ContactManifold) == ManifoldFloats::all * sizeof(float));
+static_assert(offsetof(ContactManifold, arms) == ManifoldFloats::arms * sizeof(float) &&
+              offsetof(ContactManifold, normal) == ManifoldFloats::normal * sizeof(float) &&
+              offsetof(ContactManifold, impulses) == ManifoldFloats::impulses * sizeof(float));
+static_assert(offsetof(ContactManifold, carried_impulse) == (ManifoldFloats::normal + 7) * sizeof(float));
+static_assert(offsetof(ContactManifold, surface) == (ManifoldFloats::impulses + 4) * sizeof(float));
+static_assert(offsetof(Contact, body_b) == offsetof(Contact, body_a) + sizeof(std::uint32_t));
+static_assert(sizeof(BodyMass) == mass_floats * sizeof(float) && offsetof(BodyMass, inv_inertia) == 2 * sizeof(float));
+static_assert(null_index == no_contact);
+
+/// A body that turns by more than this in a substep meets others as a disc would [rad]: see round_off().
 inline constexpr float whirl = 1;
 
-/// The arm of a point on a disc: straight towards what it touches.
-inline Vec2 arm_of_disc(Vec2 r, Vec2 n) { return dot(r, n) * n; }
+inline SoftnessLanes<float> lanes_of(const Softness& softness) { return {softness.bias_rate, softness.mass_scale, softness.impulse_scale}; }
 
-/// Writes a contact into lane `i` of a row; the rest follows from that in prepare().
-template <class F, int N>
-void fill_row(ContactRow<F, N>& row, int i, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts,
-              const ContactConstants& constants)
+inline RowSource source_of(const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants,
+                           const PassConstants<float>& pass)
 {
-    const Contact& contact = contacts.contacts[slot];
-    const ContactManifold& manifold = contacts.manifolds[slot];
-    const std::uint32_t index_a = bodies.motion_index[contact.body_a];
-    const std::uint32_t index_b = bodies.motion_index[contact.body_b];
-    const BodyMass mass_a = bodies.masses[index_a];
-    const BodyMass mass_b = bodies.masses[index_b];
-    const bool with_static = mass_a.inv_mass == Vec2{} || mass_b.inv_mass == Vec2{};
-    const Softness& softness = with_static ? constants.with_static : constants.between_dynamic;
-    const float whirl_speed = whirl * constants.inv_h;
-    const float w_a = bodies.motions[index_a].w;
-    const float w_b = bodies.motions[index_b].w;
-    const bool a_whirls = w_a * w_a > whirl_speed * whirl_speed;
-    const bool b_whirls = w_b * w_b > whirl_speed * whirl_speed;
-    const Vec2 n = manifold.normal;
-    const float gap = 0.5f * manifold.separation[0]; // points are halfway between the surfaces
-
-    row.contact[static_cast<std::size_t>(i)] = slot;
-    fill_bodies(row, i, index_a, index_b, mass_a, mass_b);
-    set_lane(row.n, i, n);
-    lane(row.core_a, i) = a_whirls ? dot(manifold.arms[0].r_a, n) : manifold.rounding_a + gap;
-    lane(row.core_b, i) = b_whirls ? -dot(manifold.arms[0].r_b, n) : manifold.rounding_b + gap;
-    lane(row.friction, i) = manifold.surface.friction;
-    lane(row.restitution, i) = manifold.surface.restitution;
-    lane(row.tangent_speed, i) = manifold.surface.tangent_speed;
-    lane(row.rolling_resistance, i) = manifold.surface.rolling_resistance;
-    lane(row.rolling_lambda, i) = constants.warm_scale * manifold.rolling_impulse;
-    lane(row.bias_rate, i) = softness.bias_rate;
-    lane(row.mass_scale, i) = softness.mass_scale;
-    lane(row.impulse_scale, i) = softness.impulse_scale;
-    lane(row.carried, i) = constants.warm_scale * manifold.carried_impulse;
-    for (std::size_t p = 0; p < N; ++p)
-    {
-        const ContactArms& arms = manifold.arms[p];
-        PointRow<F>& to = row.points[p];
-        set_lane(to.r_a, i, a_whirls ? arm_of_disc(arms.r_a, n) : arms.r_a);
-        set_lane(to.r_b, i, b_whirls ? arm_of_disc(arms.r_b, n) : arms.r_b);
-        lane(to.adjusted_separation, i) = manifold.separation[p]; // prepare() adjusts it
-        lane(to.lambda_n, i) = constants.warm_scale * manifold.impulses[p].normal;
-        lane(to.lambda_t, i) = constants.warm_scale * manifold.impulses[p].tangent;
-    }
+    return {.manifolds = &contacts.manifolds.data()->arms[0].r_a.x,
+            .bodies = &contacts.contacts.data()->body_a,
+            .words_per_contact = sizeof(Contact) / sizeof(std::uint32_t),
+            .motion_index = bodies.motion_index.data(),
+            .masses = &bodies.masses.data()->inv_mass.x,
+            .motions = floats_of(std::span(bodies.motions)),
+            .fill = {constants.warm_scale, whirl * constants.inv_h, lanes_of(constants.between_dynamic), lanes_of(constants.with_static)},
+            .pass = pass};
 }
 
 /// The contacts of each colour by their number of points, both parts in the colour's order. Split without a branch, which random numbers of points
@@ -118,34 +92,47 @@ private:
     std::array<Ends, color_count + 1> ends_ = {};
 };
 
-/// How many contacts ahead their lines are fetched: those of one colour lie anywhere.
-inline constexpr std::size_t fetched_ahead = 6;
-
-/// Puts contacts one after the other into the lanes of rows; a last row's free lanes stay zero and push nothing.
-/// @param lanes how many lanes of a row to use: all, or one where contacts depend on each other
-/// @return whether a surface has a tangent speed
-template <class F, int N>
-bool write_rows(std::pmr::vector<ContactRow<F, N>>& rows, std::span<const std::uint32_t> slots, std::size_t lanes, const BodyStore& bodies,
-                const ContactStore& contacts, const ContactConstants& constants)
+/// Rows that a pass fills: nothing is written to them before.
+template <class Row>
+class RowList
 {
-    bool any_belts = false;
-    for (std::size_t begin = 0; begin < slots.size(); begin += lanes)
+public:
+    explicit RowList(std::pmr::memory_resource& memory) : memory_(memory) {}
+    RowList(const RowList&) = delete;
+    RowList& operator=(const RowList&) = delete;
+    ~RowList() { give_back(); }
+
+    /// Forgets all rows, and makes room for others.
+    void renew(std::size_t room)
     {
-        ContactRow<F, N>& row = rows.emplace_back();
-        row.contact.fill(null_index);
-        const std::size_t end = std::min(begin + lanes, slots.size());
-        for (std::size_t i = begin; i < end; ++i)
-        {
-            if (i + fetched_ahead < slots.size())
-            {
-                fetch_lines(contacts.contacts[slots[i + fetched_ahead]]);
-                fetch_lines(contacts.manifolds[slots[i + fetched_ahead]]);
-            }
-            fill_row(row, static_cast<int>(i - begin), slots[i], bodies, contacts, constants);
-            any_belts |= contacts.manifolds[slots[i]].surface.tangent_speed != 0;
-        }
+        give_back();
+        rows_ = room == 0 ? nullptr : static_cast<Row*>(memory_.allocate(room * sizeof(Row), alignof(Row)));
+        room_ = room;
+        size_ = 0;
     }
-    return any_belts;
-}
+    /// @return the first of `count` more rows
+    Row* add(std::size_t count)
+    {
+        Row* const first = rows_ + size_;
+        size_ += count;
+        return first;
+    }
+    Row* data() { return rows_; }
+    std::size_t size() const { return size_; }
+    const Row* begin() const { return rows_; }
+    const Row* end() const { return rows_ + size_; }
+
+private:
+    void give_back()
+    {
+        if (room_ > 0) memory_.deallocate(rows_, room_ * sizeof(Row), alignof(Row));
+        room_ = 0;
+    }
+
+    std::pmr::memory_resource& memory_;
+    Row* rows_ = nullptr;
+    std::size_t size_ = 0;
+    std::size_t room_ = 0;
+};
 
 } // namespace carom::detail
