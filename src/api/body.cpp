@@ -205,7 +205,7 @@ void Body::set_awake(bool is_awake)
     if (is_awake)
         detail::wake_with_neighbors(*world_, body);
     else
-        detail::put_body_to_sleep(*world_, body);
+        detail::put_body_to_sleep(*world_, body, world_->step_count);
 }
 
 void Body::set_can_sleep(bool can_sleep)

@@ -98,7 +98,7 @@ std::uint32_t create_body(WorldState& world, const BodyDef& def)
 {
     make_room_for_bodies(world, world.bodies.records.size() + 1);
     const std::uint32_t body = world.bodies.create(def);
-    refresh_island(world, body);
+    refresh_island(world.bodies, world.islands, body);
     return body;
 }
 
@@ -147,7 +147,7 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
 
     link_shape(world, body, shape);
     if (world.bodies.records[body].shape_count == 2) // it is no longer alone
-        for_each_contact(world, body, [&](std::uint32_t contact, std::uint32_t)
+        for_each_contact(world.bodies, world.contacts, body, [&](std::uint32_t contact, std::uint32_t)
         { world.contacts.contacts[contact].neighborhood = Neighborhood::Unknown; });
     MassData& mass = world.bodies.records[body].shapes_mass;
     mass = combined(mass, mass_from(stored, def.density));
@@ -191,22 +191,27 @@ void destroy_body(WorldState& world, std::uint32_t body)
     world.bodies.destroy(body);
 }
 
-void destroy_contact(WorldState& world, std::uint32_t contact)
+void end_contact(const WakeGraph& graph, ShapeStore& shapes, PairSet& pairs, EventBuffers& events, std::uint32_t world,
+                 std::uint32_t contact)
 {
-    const Contact& pair = world.contacts.contacts[contact];
-    const ContactManifold& manifold = world.contacts.manifolds[contact];
-    note_end(pair, manifold, world.shapes, world.world, world.events);
+    const Contact& pair = graph.contacts.contacts[contact];
+    const ContactManifold& manifold = graph.contacts.manifolds[contact];
+    note_end(pair, manifold, shapes, world, events);
     if (!pair.is_sensor && manifold.count > 0)
     {
-        wake_body(world, pair.body_a);
-        wake_body(world, pair.body_b);
-        world.islands.unlink(pair.body_a, pair.body_b, world.bodies);
+        wake_body(graph, pair.body_a);
+        wake_body(graph, pair.body_b);
+        graph.islands.unlink(pair.body_a, pair.body_b, graph.bodies);
     }
-    take_color(contact, world.contacts, world.bodies);
-    const auto& searched = world.shapes.searched;
-    if (overlaps(searched[pair.shape_a], searched[pair.shape_b])) world.shapes.forget_search(pair.shape_a); // of one is enough
-    world.pairs.erase({pair.shape_a, pair.shape_b});
-    world.contacts.destroy(contact, world.bodies);
+    take_color(contact, graph.contacts, graph.bodies);
+    if (overlaps(shapes.searched[pair.shape_a], shapes.searched[pair.shape_b])) shapes.forget_search(pair.shape_a); // of one is enough
+    pairs.erase({pair.shape_a, pair.shape_b});
+    graph.contacts.destroy(contact, graph.bodies);
+}
+
+void destroy_contact(WorldState& world, std::uint32_t contact)
+{
+    end_contact(world, world.shapes, world.pairs, world.events, world.world, contact);
 }
 
 void destroy_contacts_of_body(WorldState& world, std::uint32_t body)
@@ -262,11 +267,11 @@ void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
     if (world.bodies.records[body].type == type) return;
     wake_with_neighbors(world, body);
     destroy_contacts_of_body(world, body);
-    retire_joints_of_body(world, body);
+    retire_joints_of_body(world.bodies, world.joints, body);
     world.bodies.records[body].type = type;
     world.bodies.records[body].is_asleep = false;
     refresh_mass(world, body);
-    refresh_island(world, body);
+    refresh_island(world.bodies, world.islands, body);
     refresh_joints_of_body(world, body);
     if (world.bodies.records[body].is_enabled) for_each_shape(world, body, [&](std::uint32_t shape) { renew_proxy(world, shape); });
 }
@@ -279,7 +284,7 @@ void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
     world.bodies.records[body].is_enabled = is_enabled;
     world.bodies.records[body].is_asleep = false;
     world.bodies.refresh(body);
-    refresh_island(world, body);
+    refresh_island(world.bodies, world.islands, body);
     refresh_joints_of_body(world, body);
     for_each_shape(world, body, [&](std::uint32_t shape) { is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape); });
 }

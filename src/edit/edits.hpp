@@ -21,6 +21,9 @@ void destroy_shape(WorldState& world, std::uint32_t shape);
 void remove_shape(WorldState& world, std::uint32_t shape);
 
 /// Ends a contact: its event, its colour, its pair, its place.
+/// @param world the number that ids carry
+void end_contact(const WakeGraph& graph, ShapeStore& shapes, PairSet& pairs, EventBuffers& events, std::uint32_t world,
+                 std::uint32_t contact);
 void destroy_contact(WorldState& world, std::uint32_t contact);
 void destroy_contacts_of_body(WorldState& world, std::uint32_t body);
 void destroy_contacts_of_shape(WorldState& world, std::uint32_t shape);
@@ -31,10 +34,10 @@ void destroy_joint(WorldState& world, std::uint32_t joint);
 void note_break(WorldState& world, std::uint32_t joint);
 void set_collide_connected(WorldState& world, std::uint32_t joint, bool collide_connected);
 /// Wakes what a joint holds together.
-void wake_ends(WorldState& world, const Joint& joint);
+void wake_ends(const WakeGraph& graph, const Joint& joint);
 /// Takes joints in or out of the solver, as their bodies ask.
-void refresh_joints_of_body(WorldState& world, std::uint32_t body);
-void retire_joints_of_body(WorldState& world, std::uint32_t body);
+void refresh_joints_of_body(const WakeGraph& graph, std::uint32_t body);
+void retire_joints_of_body(const BodyStore& bodies, JointStore& joints, std::uint32_t body);
 
 /// Every contact of a shape: action(contact slot), which may destroy it.
 template <class Action>

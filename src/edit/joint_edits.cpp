@@ -11,38 +11,38 @@ namespace
 {
 
 /// The solver works on a joint when it can push one of its bodies and both take part.
-bool should_be_active(const WorldState& world, const Joint& joint)
+bool should_be_active(const BodyStore& bodies, const Joint& joint)
 {
     const bool has_a = joint.body_a != null_index;
-    const bool are_enabled = (!has_a || world.bodies.records[joint.body_a].is_enabled) && world.bodies.records[joint.body_b].is_enabled;
-    return are_enabled && ((has_a && world.bodies.is_pushable(joint.body_a)) || world.bodies.is_pushable(joint.body_b));
+    const bool are_enabled = (!has_a || bodies.records[joint.body_a].is_enabled) && bodies.records[joint.body_b].is_enabled;
+    return are_enabled && ((has_a && bodies.is_pushable(joint.body_a)) || bodies.is_pushable(joint.body_b));
 }
 
-void retire_joint(WorldState& world, std::uint32_t slot)
+void retire_joint(JointStore& joints, std::uint32_t slot)
 {
-    Joint& joint = world.joints.joints[slot];
+    Joint& joint = joints.joints[slot];
     if (!joint.is_active()) return;
-    world.joints.deactivate(slot);
+    joints.deactivate(slot);
 }
 
-void refresh_joint(WorldState& world, std::uint32_t slot)
+void refresh_joint(const WakeGraph& graph, std::uint32_t slot)
 {
-    Joint& joint = world.joints.joints[slot];
-    const bool should = should_be_active(world, joint);
-    if (!should) return retire_joint(world, slot);
+    Joint& joint = graph.joints.joints[slot];
+    const bool should = should_be_active(graph.bodies, joint);
+    if (!should) return retire_joint(graph.joints, slot);
     if (joint.is_active()) return;
-    world.joints.activate(slot);
+    graph.joints.activate(slot);
     if (joint.body_a == null_index) return;
-    const bool are_dynamic = world.bodies.is_dynamic(joint.body_a) && world.bodies.is_dynamic(joint.body_b);
-    if (are_dynamic) world.islands.link(joint.body_a, joint.body_b, world.bodies);
+    const bool are_dynamic = graph.bodies.is_dynamic(joint.body_a) && graph.bodies.is_dynamic(joint.body_b);
+    if (are_dynamic) graph.islands.link(joint.body_a, joint.body_b, graph.bodies);
 }
 
 template <class Action>
-void for_each_joint(WorldState& world, std::uint32_t body, Action&& action)
+void for_each_joint(const BodyStore& bodies, const JointStore& joints, std::uint32_t body, Action&& action)
 {
-    for (std::uint32_t edge = world.bodies.records[body].first_joint; edge != null_index;)
+    for (std::uint32_t edge = bodies.records[body].first_joint; edge != null_index;)
     {
-        const std::uint32_t next = world.joints.joints[edge / 2].next[edge % 2];
+        const std::uint32_t next = joints.joints[edge / 2].next[edge % 2];
         action(edge / 2);
         edge = next;
     }
@@ -87,10 +87,10 @@ BodyId id_of(const WorldState& world, std::uint32_t body)
 
 } // namespace
 
-void wake_ends(WorldState& world, const Joint& joint)
+void wake_ends(const WakeGraph& graph, const Joint& joint)
 {
-    if (joint.body_a != null_index) wake_body(world, joint.body_a);
-    wake_body(world, joint.body_b);
+    if (joint.body_a != null_index) wake_body(graph, joint.body_a);
+    wake_body(graph, joint.body_b);
 }
 
 std::uint32_t create_joint(WorldState& world, const JointDef& def, const JointSpec& spec)
@@ -123,7 +123,7 @@ void destroy_joint(WorldState& world, std::uint32_t slot)
     const Joint joint = world.joints.joints[slot];
     wake_ends(world, joint);
     if (joint.body_a != null_index) world.islands.unlink(joint.body_a, joint.body_b, world.bodies);
-    retire_joint(world, slot);
+    retire_joint(world.joints, slot);
     world.joints.destroy(slot, world.bodies);
     if (!joint.collide_connected && joint.body_a != null_index) seek_pairs(world, joint.body_b);
 }
@@ -148,14 +148,14 @@ void set_collide_connected(WorldState& world, std::uint32_t slot, bool collide_c
     apply_collide_connected(world, joint);
 }
 
-void refresh_joints_of_body(WorldState& world, std::uint32_t body)
+void refresh_joints_of_body(const WakeGraph& graph, std::uint32_t body)
 {
-    for_each_joint(world, body, [&](std::uint32_t joint) { refresh_joint(world, joint); });
+    for_each_joint(graph.bodies, graph.joints, body, [&](std::uint32_t joint) { refresh_joint(graph, joint); });
 }
 
-void retire_joints_of_body(WorldState& world, std::uint32_t body)
+void retire_joints_of_body(const BodyStore& bodies, JointStore& joints, std::uint32_t body)
 {
-    for_each_joint(world, body, [&](std::uint32_t joint) { retire_joint(world, joint); });
+    for_each_joint(bodies, joints, body, [&](std::uint32_t joint) { retire_joint(joints, joint); });
 }
 
 } // namespace carom::detail

@@ -13,6 +13,7 @@
 #include "fields/field_store.hpp"
 #include "solver/joints/joint_solver.hpp"
 #include "state/event_buffers.hpp"
+#include "state/wake_graph.hpp"
 
 #include <carom/memory.hpp>
 #include <carom/world.hpp>
@@ -32,6 +33,9 @@ struct WorldState
     WorldState& operator=(const WorldState&) = delete;
 
     std::pmr::memory_resource& memory_for(MemoryCategory category) { return memory.category(static_cast<std::size_t>(category)); }
+
+    /// An edit passes its whole world where only these stores are asked for.
+    operator WakeGraph() { return {bodies, contacts, joints, islands}; }
 
     TrackingResource memory; ///< all that follows comes from here
     std::uint32_t world;     ///< the number that this world's ids carry; never 0

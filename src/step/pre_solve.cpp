@@ -2,6 +2,7 @@
 #include "step/pre_solve.hpp"
 
 #include "dynamics/mix_materials.hpp"
+#include "state/event_buffers.hpp"
 
 #include <cmath>
 #include <span>
@@ -19,14 +20,15 @@ float approach_speed(const BodyStore& bodies, const Contact& contact, const Cont
     return -dot(v_b - v_a, normal);
 }
 
-PreSolve describe(const WorldState& world, const Contact& contact, const ContactManifold& manifold, const ContactResult& result)
+PreSolve describe(const BodyStore& bodies, const ShapeStore& shapes, std::uint32_t world, const Contact& contact,
+                  const ContactManifold& manifold, const ContactResult& result)
 {
     PreSolve shown;
-    shown.shape_a = shape_id(world.shapes, contact.shape_a, world.world);
-    shown.shape_b = shape_id(world.shapes, contact.shape_b, world.world);
+    shown.shape_a = shape_id(shapes, contact.shape_a, world);
+    shown.shape_b = shape_id(shapes, contact.shape_b, world);
     shown.manifold = public_manifold(manifold, result);
     for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-        shown.manifold.points[i].approach_speed = approach_speed(world.bodies, contact, manifold.arms[i], manifold.normal);
+        shown.manifold.points[i].approach_speed = approach_speed(bodies, contact, manifold.arms[i], manifold.normal);
     shown.was_touching = contact.is_touching;
     shown.friction = manifold.surface.friction;
     shown.restitution = manifold.surface.restitution;
@@ -46,21 +48,22 @@ void apply(const PreSolve& wanted, ContactSurface& surface)
 
 } // namespace
 
-void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes)
+void ask_pre_solve(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, const ContactRules& rules, std::size_t first,
+                   ContactChanges& changes)
 {
-    if (world.rules.hooks == nullptr) return;
+    if (rules.hooks == nullptr) return;
     bool any_disabled = false;
-    for (const std::uint32_t slot : std::span(world.contacts.awake).subspan(first))
+    for (const std::uint32_t slot : std::span(contacts.awake).subspan(first))
     {
-        Contact& contact = world.contacts.contacts[slot];
-        ContactManifold& manifold = world.contacts.manifolds[slot];
+        Contact& contact = contacts.contacts[slot];
+        ContactManifold& manifold = contacts.manifolds[slot];
         contact.is_disabled = false;
-        if (contact.is_sensor || manifold.count == 0 || is_separated(contact, world.shapes)) continue;
-        if (!world.shapes.records[contact.shape_a].pre_solve && !world.shapes.records[contact.shape_b].pre_solve) continue;
+        if (contact.is_sensor || manifold.count == 0 || is_separated(contact, shapes)) continue;
+        if (!shapes.records[contact.shape_a].pre_solve && !shapes.records[contact.shape_b].pre_solve) continue;
 
-        if (contact.is_overridden) manifold.surface = mix_materials(contact, world.shapes, world.rules);
-        PreSolve shown = describe(world, contact, manifold, world.contacts.results[slot]);
-        world.rules.hooks->pre_solve(shown);
+        if (contact.is_overridden) manifold.surface = mix_materials(contact, shapes, rules);
+        PreSolve shown = describe(bodies, shapes, rules.world, contact, manifold, contacts.results[slot]);
+        rules.hooks->pre_solve(shown);
         apply(shown, manifold.surface);
         contact.is_overridden = true;
         if (shown.is_enabled) continue;
@@ -68,7 +71,7 @@ void ask_pre_solve(WorldState& world, std::size_t first, ContactChanges& changes
         contact.is_disabled = true;
         any_disabled = true;
     }
-    if (any_disabled) list_changes(world.shapes, world.contacts, first, changes);
+    if (any_disabled) list_changes(shapes, contacts, first, changes);
 }
 
 } // namespace carom::detail

@@ -13,38 +13,35 @@ namespace
 {
 
 /// Keeps awake what a moving kinematic body touches or is joined to.
-void disturb_neighbors(WorldState& world, std::uint32_t body)
+void disturb_neighbors(const WakeGraph& graph, std::uint32_t body)
 {
     const auto disturb = [&](std::uint32_t other)
     {
-        if (const std::uint32_t island = world.bodies.records[other].island; island != null_index) world.islands[island].is_restless = true;
+        if (const std::uint32_t island = graph.bodies.records[other].island; island != null_index) graph.islands[island].is_restless = true;
     };
-    for_each_contact(world, body, [&](std::uint32_t contact, std::uint32_t other)
+    for_each_contact(graph.bodies, graph.contacts, body, [&](std::uint32_t contact, std::uint32_t other)
     {
-        if (is_push(world, contact)) disturb(other);
+        if (is_push(graph.contacts, contact)) disturb(other);
     });
-    for_each_joined(world, body, disturb);
+    for_each_joined(graph.bodies, graph.joints, body, disturb);
 }
 
-void note_asleep(WorldState& world, std::uint32_t body)
-{
-    world.events.fell_asleep.push_back({body, world.bodies.slots.generation(body), world.world});
-}
+BodyId id_of(const BodyStore& bodies, std::uint32_t body, std::uint32_t world) { return {body, bodies.slots.generation(body), world}; }
 
 /// Kinematic bodies that stand still go at once; the others disturb their neighbours.
-void visit_kinematic_bodies(WorldState& world)
+void visit_kinematic_bodies(const WakeGraph& graph, EventBuffers& events, const SleepMoment& now)
 {
-    for (std::size_t i = world.bodies.motions.size(); i-- > 1;)
+    for (std::size_t i = graph.bodies.motions.size(); i-- > 1;)
     {
-        const std::uint32_t body = world.bodies.motions[i].slot;
-        if (world.bodies.watches[i].island != null_index || !is_kinematic(world, body)) continue;
-        if (is_moving(world.bodies.motions[i]))
+        const std::uint32_t body = graph.bodies.motions[i].slot;
+        if (graph.bodies.watches[i].island != null_index || !is_kinematic(graph.bodies, body)) continue;
+        if (is_moving(graph.bodies.motions[i]))
         {
-            disturb_neighbors(world, body);
+            disturb_neighbors(graph, body);
             continue;
         }
-        put_body_to_sleep(world, body);
-        note_asleep(world, body);
+        put_body_to_sleep(graph, body, now.step_count);
+        events.fell_asleep.push_back(id_of(graph.bodies, body, now.world));
     }
 }
 
@@ -55,42 +52,39 @@ bool has_n_body_field(const FieldStore& fields)
     return false;
 }
 
-void note_woken(WorldState& world)
+void note_woken(BodyStore& bodies, EventBuffers& events, std::uint32_t world)
 {
-    for (std::size_t i = 1; i < world.bodies.motions.size(); ++i)
+    for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
-        BodyWatch& watch = world.bodies.watches[i];
+        BodyWatch& watch = bodies.watches[i];
         if (!watch.has_woken) continue;
         watch.has_woken = false;
-        const std::uint32_t body = world.bodies.motions[i].slot;
-        world.events.woke.push_back({body, world.bodies.slots.generation(body), world.world});
+        events.woke.push_back(id_of(bodies, bodies.motions[i].slot, world));
     }
-    std::sort(world.events.woke.begin(), world.events.woke.end());
+    std::sort(events.woke.begin(), events.woke.end());
 }
 
 /// Contacts that were looked at once after an edit, though none of their bodies is active.
-void dismiss_reviewed(WorldState& world)
+void dismiss_reviewed(ContactStore& contacts, const BodyStore& bodies)
 {
-    if (!world.must_review) return;
-    world.must_review = false;
-    for (std::size_t i = world.contacts.awake.size(); i-- > 0;)
+    for (std::size_t i = contacts.awake.size(); i-- > 0;)
     {
-        const std::uint32_t contact = world.contacts.awake[i];
-        const Contact& pair = world.contacts.contacts[contact];
-        if (!world.bodies.is_active(pair.body_a) && !world.bodies.is_active(pair.body_b)) world.contacts.put_to_sleep(contact);
+        const std::uint32_t contact = contacts.awake[i];
+        const Contact& pair = contacts.contacts[contact];
+        if (!bodies.is_active(pair.body_a) && !bodies.is_active(pair.body_b)) contacts.put_to_sleep(contact);
     }
 }
 
 /// The awake island with the body that has been slow for longest, among those that may have come apart; null_index when there is none. Taking one
 /// apart a step is enough, and bounds the cost.
-std::uint32_t island_to_split(const WorldState& world)
+std::uint32_t island_to_split(const BodyStore& bodies, const IslandStore& islands, float sleep_time)
 {
-    float longest = world.sleep.time;
+    float longest = sleep_time;
     std::uint32_t best = null_index;
-    for (std::size_t i = 1; i < world.bodies.motions.size(); ++i)
+    for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
-        const BodyWatch& watch = world.bodies.watches[i];
-        if (watch.island == null_index || watch.rest_time < longest || !world.islands[watch.island].lost_links) continue;
+        const BodyWatch& watch = bodies.watches[i];
+        if (watch.island == null_index || watch.rest_time < longest || !islands[watch.island].lost_links) continue;
         if (best != null_index && (watch.rest_time == longest && best <= watch.island)) continue;
         longest = watch.rest_time;
         best = watch.island;
@@ -100,34 +94,36 @@ std::uint32_t island_to_split(const WorldState& world)
 
 } // namespace
 
-bool lets_sleep(const WorldState& world) { return world.sleep.is_enabled && !has_n_body_field(world.fields); }
+bool lets_sleep(const SleepTuning& tuning, const FieldStore& fields) { return tuning.is_enabled && !has_n_body_field(fields); }
 
-void put_islands_to_sleep(WorldState& world)
+void put_islands_to_sleep(const WakeGraph& graph, EventBuffers& events, const SleepMoment& now)
 {
-    note_woken(world);
-    dismiss_reviewed(world);
-    visit_kinematic_bodies(world);
-    if (!lets_sleep(world)) return;
+    auto& [bodies, contacts, joints, islands] = graph;
+    note_woken(bodies, events, now.world);
+    if (now.must_review) dismiss_reviewed(contacts, bodies);
+    visit_kinematic_bodies(graph, events, now);
+    if (!now.is_allowed) return;
 
-    if (const std::uint32_t island = island_to_split(world); island != null_index)
-        world.islands.split(island, world.bodies, world.contacts, world.joints);
-    for (std::size_t i = 1; i < world.bodies.motions.size(); ++i)
+    if (const std::uint32_t island = island_to_split(bodies, islands, now.rest_time); island != null_index)
+        islands.split(island, bodies, contacts, joints);
+    for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
-        const BodyWatch& watch = world.bodies.watches[i];
-        if (watch.island != null_index && watch.rest_time < world.sleep.time) world.islands[watch.island].is_restless = true;
+        const BodyWatch& watch = bodies.watches[i];
+        if (watch.island != null_index && watch.rest_time < now.rest_time) islands[watch.island].is_restless = true;
     }
-    for (std::size_t i = world.islands.awake().size(); i-- > 0;)
+    for (std::size_t i = islands.awake().size(); i-- > 0;)
     {
-        const std::uint32_t island = world.islands.awake()[i];
-        if (world.islands[island].is_restless)
+        const std::uint32_t island = islands.awake()[i];
+        if (islands[island].is_restless)
         {
-            world.islands[island].is_restless = false;
+            islands[island].is_restless = false;
             continue;
         }
-        put_island_to_sleep(world, island);
-        for_each_of_island(world, island, [&](std::uint32_t body) { note_asleep(world, body); });
+        put_island_to_sleep(graph, island);
+        for_each_of_island(bodies, islands, island,
+                           [&](std::uint32_t body) { events.fell_asleep.push_back(id_of(bodies, body, now.world)); });
     }
-    std::sort(world.events.fell_asleep.begin(), world.events.fell_asleep.end());
+    std::sort(events.fell_asleep.begin(), events.fell_asleep.end());
 }
 
 } // namespace carom::detail

@@ -49,34 +49,49 @@ void put_aside(WorldState& world, std::span<const LostBody> lost)
                     " others; move them apart, destroy some, keep them from meeting by a filter, or give WorldDef::max_pairs");
 }
 
-/// Those that pulled harder than they may are gone after the step.
-void break_joints(WorldState& world)
+/// Those that pulled harder than they may, by slot.
+std::pmr::vector<std::uint32_t> overloaded(const JointStore& joints, std::pmr::memory_resource& scratch)
 {
-    std::pmr::vector<std::uint32_t> broken(&world.arena);
-    for (const std::uint32_t slot : world.joints.active)
+    std::pmr::vector<std::uint32_t> slots(&scratch);
+    for (const std::uint32_t slot : joints.active)
     {
-        const Joint& joint = world.joints.joints[slot];
-        if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) broken.push_back(slot);
+        const Joint& joint = joints.joints[slot];
+        if (length(joint.force) > joint.break_force || std::abs(joint.torque) > joint.break_torque) slots.push_back(slot);
     }
-    std::sort(broken.begin(), broken.end());
-    for (const std::uint32_t slot : broken)
+    std::sort(slots.begin(), slots.end());
+    return slots;
+}
+
+void break_joints(WorldState& world, std::span<const std::uint32_t> slots)
+{
+    for (const std::uint32_t slot : slots)
     {
         note_break(world, slot);
         destroy_joint(world, slot);
     }
 }
 
-/// Gathers what the solver works on.
-ColorLists build_rows(WorldState& world, ContactSolver& solver, float dt, int substeps)
+/// Of the rows of a step.
+struct RowConstants
 {
-    ColorLists contacts(world.contacts, world.arena);
-    if (dt == 0) return contacts; // nothing will be solved
+    JointStepConstants joints;
+    ContactConstants contacts;
+};
+
+RowConstants row_constants(const WorldState& world, float dt, int substeps)
+{
     const float h = dt / static_cast<float>(substeps);
-    world.joint_solver.build(passes_of(world.simd), world.bodies, world.joints,
-                             make_joint_constants(world.tuning, h, world.last_substep, world.shapes.tolerances));
-    solver.build(contacts, world.bodies, world.contacts,
-                 make_contact_constants(world.tuning, dt, h, world.last_substep, world.shapes.tolerances, lets_sleep(world)));
-    return contacts;
+    const Tolerances& tolerances = world.shapes.tolerances;
+    return {make_joint_constants(world.tuning, h, world.last_substep, tolerances),
+            make_contact_constants(world.tuning, dt, h, world.last_substep, tolerances, lets_sleep(world.sleep, world.fields))};
+}
+
+/// Gathers what the solver works on.
+void build_rows(JointSolver& joint_rows, ContactSolver& contact_rows, const ColorLists& colors, const BodyStore& bodies, JointStore& joints,
+                const ContactStore& contacts, Simd simd, const RowConstants& constants)
+{
+    joint_rows.build(passes_of(simd), bodies, joints, constants.joints);
+    contact_rows.build(colors, bodies, contacts, constants.contacts);
 }
 
 std::span<const Vec2> fields_at_bodies(WorldState& world, bool is_new_step)
@@ -131,7 +146,7 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
         joints.mark_driven(bodies.motions, bodies.watches);
         joints.conclude(bodies.motions);
         joints.store_impulses(world.joints, 1 / dt);
-        break_joints(world);
+        break_joints(world, overloaded(world.joints, world.arena));
     });
 }
 
@@ -194,8 +209,16 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
         if (search.has_idle) world.must_review = true;
         make_room_for_contacts(world);
     });
-    run(Stage::UpdateManifolds, [&] { update_contacts(world); });
-    const ColorLists colors = run(Stage::BuildRows, [&] { return build_rows(world, solver, dt, substeps); });
+    run(Stage::UpdateManifolds,
+        [&] { update_contacts({world, world.shapes, world.pairs, world.events, world.rules, world.step_count}, world.arena); });
+    const ColorLists colors = run(Stage::BuildRows, [&]
+    {
+        ColorLists lists(world.contacts, world.arena);
+        if (dt > 0)
+            build_rows(world.joint_solver, solver, lists, world.bodies, world.joints, world.contacts, world.simd,
+                       row_constants(world, dt, substeps));
+        return lists;
+    });
     const bool is_at_rest = world.bodies.motions.size() == 1; // nobody is awake, and only a probe would see the stages
     if (dt > 0 && (!is_at_rest || probe))
     {
@@ -207,7 +230,14 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
         [&] { report.contacts = emit_events(world.contacts, continuous.crossings(), world.shapes, world.rules, world.events); });
     report.awake_bodies = static_cast<int>(world.bodies.motions.size()) - 1;
     report.islands = static_cast<int>(world.islands.awake().size());
-    if (dt > 0) run(Stage::Sleep, [&] { put_islands_to_sleep(world); });
+    if (dt > 0)
+        run(Stage::Sleep, [&]
+        {
+            put_islands_to_sleep(
+                world, world.events,
+                {lets_sleep(world.sleep, world.fields), world.sleep.time, world.must_review, world.step_count, world.world});
+            world.must_review = false;
+        });
 
     assert(first_fault(world).empty());
     ++world.step_count;
