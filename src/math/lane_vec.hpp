@@ -72,6 +72,23 @@ LaneVec<F> rotate(const LaneRot<F>& q, const LaneVec<F>& v)
 {
     return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
 }
+template <class F>
+LaneVec<F> inverse_rotate(const LaneRot<F>& q, const LaneVec<F>& v)
+{
+    return {q.c * v.x + q.s * v.y, -q.s * v.x + q.c * v.y};
+}
+/// The rotation that takes `a` to `b`.
+template <class F>
+LaneRot<F> relative(const LaneRot<F>& a, const LaneRot<F>& b)
+{
+    return {a.c * b.c + a.s * b.s, a.c * b.s - a.s * b.c};
+}
+/// Lane by lane.
+template <class F, class Mask>
+LaneVec<F> select(const Mask& mask, const LaneVec<F>& yes, const LaneVec<F>& no)
+{
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y)};
+}
 
 /// Writes one lane of a vector.
 /// @param value of components x and y

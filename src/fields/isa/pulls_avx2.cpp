@@ -1,5 +1,5 @@
 // Eight lanes. Compiled for AVX2.
-#include "solver/isa/wide_lanes.hpp"
+#include "math/wide_lanes.hpp"
 
 #include "fields/isa/pull_passes_impl.hpp"
 

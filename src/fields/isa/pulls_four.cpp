@@ -1,5 +1,5 @@
 // Four lanes, which every machine has: SSE2, NEON or WASM.
-#include "solver/isa/wide_lanes.hpp"
+#include "math/wide_lanes.hpp"
 
 #include "fields/isa/pull_passes_impl.hpp"
 

@@ -61,14 +61,6 @@ struct LocalPull
     PullSeries<float> terms;
 };
 
-template <class F>
-F load_lanes(const float* from)
-{
-    F lanes;
-    __builtin_memcpy(&lanes, from, sizeof lanes);
-    return lanes;
-}
-
 /// Masses at d from the target; with s = sqrt(|d|^2 + softening^2) each gives (pull / s / s) (d / s). In this order nothing but the clamped
 /// factor can overflow, even where s^2 is the smallest float.
 template <class F>

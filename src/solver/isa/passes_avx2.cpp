@@ -1,5 +1,6 @@
 // Eight lanes. Compiled for AVX2.
-#include "solver/isa/wide_records.hpp"
+#include "math/wide_records.hpp"
+#include "solver/isa/wide_bodies.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

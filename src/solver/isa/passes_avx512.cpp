@@ -1,5 +1,6 @@
 // Sixteen lanes. Compiled for AVX-512 with its F, DQ and VL parts.
-#include "solver/isa/wide_records.hpp"
+#include "math/wide_records.hpp"
+#include "solver/isa/wide_bodies.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

@@ -1,5 +1,6 @@
 // Four lanes, which every machine has: SSE2, NEON or WASM.
-#include "solver/isa/wide_records.hpp"
+#include "math/wide_records.hpp"
+#include "solver/isa/wide_bodies.hpp"
 
 #include "solver/isa/solver_passes_impl.hpp"
 

@@ -1,6 +1,7 @@
 // The bodies of a row, one lane each: gathered from the dense array before its kernels run, scattered back after.
 #pragma once
 
+#include "math/lane_records.hpp"
 #include "math/lane_vec.hpp"
 
 #include <cstddef>
@@ -11,20 +12,6 @@ namespace carom::detail
 
 /// Motions as kernels see them: 8 floats a body, in the order of BodyMotion (v, w, dp, dq and a slot, which no kernel reads).
 inline constexpr std::size_t motion_floats = 8;
-
-/// An index for each lane. A struct of its own for each lane type, so that its functions are too.
-template <class F>
-struct LaneIndices
-{
-    std::uint32_t at[static_cast<std::size_t>(lane_width<F>)];
-
-    std::uint32_t& operator[](std::size_t i) { return at[i]; }
-    const std::uint32_t& operator[](std::size_t i) const { return at[i]; }
-    void fill(std::uint32_t index)
-    {
-        for (std::uint32_t& i : at) i = index;
-    }
-};
 
 /// Motion indices of the bodies on one side of a row; 0 where there is nothing to move.
 template <class F>

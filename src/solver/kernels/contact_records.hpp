@@ -1,8 +1,8 @@
 // Between contacts as they are stored and their rows. Contacts are records of floats: each of the groups of eight that a row needs is one transpose.
 #pragma once
 
+#include "math/lane_records.hpp"
 #include "solver/kernels/contact_row.hpp"
-#include "solver/kernels/lane_records.hpp"
 
 #include <cstddef>
 

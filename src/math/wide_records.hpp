@@ -1,8 +1,8 @@
-// Columns of records into registers and back, by transposes. See solver/kernels/lane_records.hpp for what each function does.
+// Columns of records into registers and back, by transposes. See math/lane_records.hpp for what each function does.
 #pragma once
 
-#include "solver/isa/wide_lanes.hpp"
-#include "solver/kernels/lane_records.hpp"
+#include "math/lane_records.hpp"
+#include "math/wide_lanes.hpp"
 
 namespace carom::detail
 {

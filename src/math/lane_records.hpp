@@ -1,12 +1,27 @@
 // Records of floats, one lane each: their columns are loaded into lanes, and lanes are written back to the records.
 #pragma once
 
-#include "solver/kernels/body_lanes.hpp"
+#include "math/lanes.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace carom::detail
 {
+
+/// An index for each lane. A struct of its own for each lane type, so that its functions are too.
+template <class F>
+struct LaneIndices
+{
+    std::uint32_t at[static_cast<std::size_t>(lane_width<F>)];
+
+    std::uint32_t& operator[](std::size_t i) { return at[i]; }
+    const std::uint32_t& operator[](std::size_t i) const { return at[i]; }
+    void fill(std::uint32_t index)
+    {
+        for (std::uint32_t& i : at) i = index;
+    }
+};
 
 /// A record for each lane. `Float` is const where they are only read.
 template <class F, class Float>
@@ -27,7 +42,7 @@ struct EightLanes
     F f0, f1, f2, f3, f4, f5, f6, f7;
 };
 
-/// Float by float; wide lanes have versions of their own, by transposes (solver/isa/wide_records.hpp).
+/// Float by float; wide lanes have versions of their own, by transposes (math/wide_records.hpp).
 template <class Columns, class F>
 Columns gather_columns(const LaneRecords<F, const float>& records, std::size_t first)
 {

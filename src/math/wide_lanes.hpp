@@ -2,7 +2,10 @@
 // the file that includes this. Each operation gives the bits that `float` gives in math/lanes.hpp.
 #pragma once
 
-#include "solver/kernels/body_lanes.hpp"
+#include "math/lanes.hpp"
+
+#include <cstddef>
+#include <cstdint>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -140,6 +143,16 @@ LaneMask<Width> operator&(LaneMask<Width> a, LaneMask<Width> b)
     return {a.v & b.v};
 }
 template <int Width>
+LaneMask<Width> operator|(LaneMask<Width> a, LaneMask<Width> b)
+{
+    return {a.v | b.v};
+}
+template <int Width>
+LaneMask<Width> operator!(LaneMask<Width> a)
+{
+    return {~a.v};
+}
+template <int Width>
 Lanes<Width> select(LaneMask<Width> mask, Lanes<Width> yes, Lanes<Width> no)
 {
     return mask.v ? yes.v : no.v;
@@ -221,20 +234,26 @@ Lanes<Width> to_single(const DoubleLanes<Width>& d)
 }
 
 template <int Width>
-bool any(LaneMask<Width> mask)
+unsigned mask_bits(LaneMask<Width> mask)
 {
 #if defined(__SSE2__)
-    if constexpr (Width == 4) return _mm_movemask_ps(reinterpret_cast<__m128>(mask.v)) != 0;
+    if constexpr (Width == 4) return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask.v)));
 #endif
 #if defined(__AVX2__)
-    if constexpr (Width == 8) return _mm256_movemask_ps(reinterpret_cast<__m256>(mask.v)) != 0;
+    if constexpr (Width == 8) return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask.v)));
 #endif
 #if defined(__AVX512F__)
-    if constexpr (Width == 16) return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask.v)) != 0;
+    if constexpr (Width == 16) return static_cast<unsigned>(_mm512_movepi32_mask(reinterpret_cast<__m512i>(mask.v)));
 #endif
-    for (int i = 0; i < Width; ++i)
-        if (mask.v[i] != 0) return true;
-    return false;
+    unsigned bits = 0;
+    for (int i = 0; i < Width; ++i) bits |= mask.v[i] != 0 ? 1u << i : 0u;
+    return bits;
+}
+
+template <int Width>
+bool any(LaneMask<Width> mask)
+{
+    return mask_bits(mask) != 0;
 }
 
 // The instructions for the larger and the smaller give the second where either is not a number or both are zero, as `a > b ? a : b` does. A
@@ -313,53 +332,6 @@ Quad<Tag> transposed(Quad<Tag> q)
     return {_mm_movelh_ps(xy_01, xy_23), _mm_movehl_ps(xy_23, xy_01), _mm_movelh_ps(zw_01, zw_23), _mm_movehl_ps(zw_23, zw_01)};
 }
 
-inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<4>>& indices)
-{
-    const auto half = [&](std::size_t from) -> Quad<Lanes<4>>
-    {
-        const auto body = [&](std::size_t i) { return _mm_loadu_ps(motions + motion_floats * indices[i] + from); };
-        return transposed<Lanes<4>>({body(0), body(1), body(2), body(3)});
-    };
-    const Quad<Lanes<4>> lower = half(0);
-    const Quad<Lanes<4>> upper = half(4);
-    return {{lower.x, lower.y}, lower.z, {lower.w, upper.x}, {upper.y, upper.z}};
-}
-
-/// The way along x, which no kernel changes, is written back beside the velocities.
-inline void scatter(float* motions, const BodyIndices<Lanes<4>>& indices, const BodyLanes<Lanes<4>>& lanes)
-{
-    const Quad<Lanes<4>> bodies = transposed<Lanes<4>>({lanes.v.x.v, lanes.v.y.v, lanes.w.v, lanes.dp.x.v});
-    const auto store = [&](std::size_t i, __m128 body)
-    {
-        if (indices[i] != 0) _mm_storeu_ps(motions + motion_floats * indices[i], body);
-    };
-    store(0, bodies.x);
-    store(1, bodies.y);
-    store(2, bodies.z);
-    store(3, bodies.w);
-}
-
-#endif
-
-#if !defined(__SSE2__)
-
-inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<4>>& indices)
-{
-    BodyLanes<Lanes<4>> lanes;
-    for (int i = 0; i < 4; ++i)
-    {
-        const float* motion = motions + motion_floats * indices[static_cast<std::size_t>(i)];
-        lanes.v.x.v[i] = motion[0];
-        lanes.v.y.v[i] = motion[1];
-        lanes.w.v[i] = motion[2];
-        lanes.dp.x.v[i] = motion[3];
-        lanes.dp.y.v[i] = motion[4];
-        lanes.dq.c.v[i] = motion[5];
-        lanes.dq.s.v[i] = motion[6];
-    }
-    return lanes;
-}
-
 #endif
 
 #if defined(__AVX2__)
@@ -398,63 +370,6 @@ Octet<Tag> gather_octet(const float* records, std::size_t stride, const std::uin
 {
     const auto record = [&](std::size_t i) { return _mm256_loadu_ps(records + stride * indices[i]); };
     return transposed<Tag>({record(0), record(1), record(2), record(3), record(4), record(5), record(6), record(7)});
-}
-
-/// Writes the first four floats of eight bodies.
-template <class Tag>
-void scatter_octet(float* motions, const std::uint32_t* indices, __m256 v_x, __m256 v_y, __m256 w, __m256 dp_x)
-{
-    const __m256 v_lo = _mm256_unpacklo_ps(v_x, v_y), v_hi = _mm256_unpackhi_ps(v_x, v_y);
-    const __m256 w_lo = _mm256_unpacklo_ps(w, dp_x), w_hi = _mm256_unpackhi_ps(w, dp_x);
-    const auto store = [&](std::size_t i, __m128 body)
-    {
-        if (indices[i] != 0) _mm_storeu_ps(motions + motion_floats * indices[i], body);
-    };
-    const auto store_both = [&](std::size_t i, __m256 bodies)
-    {
-        store(i, _mm256_castps256_ps128(bodies));
-        store(i + 4, _mm256_extractf128_ps(bodies, 1));
-    };
-    constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
-    store_both(0, _mm256_shuffle_ps(v_lo, w_lo, first));
-    store_both(1, _mm256_shuffle_ps(v_lo, w_lo, second));
-    store_both(2, _mm256_shuffle_ps(v_hi, w_hi, first));
-    store_both(3, _mm256_shuffle_ps(v_hi, w_hi, second));
-}
-
-#if !defined(__AVX512F__)
-
-inline BodyLanes<Lanes<8>> gather(const float* motions, const BodyIndices<Lanes<8>>& indices)
-{
-    const Octet<Lanes<8>> o = gather_octet<Lanes<8>>(motions, motion_floats, indices.at);
-    return {{o.f0, o.f1}, o.f2, {o.f3, o.f4}, {o.f5, o.f6}};
-}
-
-inline void scatter(float* motions, const BodyIndices<Lanes<8>>& indices, const BodyLanes<Lanes<8>>& lanes)
-{
-    scatter_octet<Lanes<8>>(motions, indices.at, lanes.v.x.v, lanes.v.y.v, lanes.w.v, lanes.dp.x.v);
-}
-
-#endif
-#endif
-
-#if defined(__AVX512F__)
-
-inline BodyLanes<Lanes<16>> gather(const float* motions, const BodyIndices<Lanes<16>>& indices)
-{
-    const Octet<Lanes<16>> l = gather_octet<Lanes<16>>(motions, motion_floats, indices.at);
-    const Octet<Lanes<16>> r = gather_octet<Lanes<16>>(motions, motion_floats, indices.at + 8);
-    const auto both = [](__m256 low, __m256 high) { return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1); };
-    return {
-        {both(l.f0, r.f0), both(l.f1, r.f1)}, both(l.f2, r.f2), {both(l.f3, r.f3), both(l.f4, r.f4)}, {both(l.f5, r.f5), both(l.f6, r.f6)}};
-}
-
-inline void scatter(float* motions, const BodyIndices<Lanes<16>>& indices, const BodyLanes<Lanes<16>>& lanes)
-{
-    const auto low = [](__m512 v) { return _mm512_castps512_ps256(v); };
-    const auto high = [](__m512 v) { return _mm512_extractf32x8_ps(v, 1); };
-    scatter_octet<Lanes<16>>(motions, indices.at, low(lanes.v.x.v), low(lanes.v.y.v), low(lanes.w.v), low(lanes.dp.x.v));
-    scatter_octet<Lanes<16>>(motions, indices.at + 8, high(lanes.v.x.v), high(lanes.v.y.v), high(lanes.w.v), high(lanes.dp.x.v));
 }
 
 #endif
