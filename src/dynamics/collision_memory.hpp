@@ -17,6 +17,9 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 
+#include <array>
+#include <cstdint>
+
 namespace carom::detail
 {
 
@@ -30,6 +33,7 @@ struct CollisionMemory
         Faces    ///< these separate best
     };
 
+    // What tells whether it holds comes first, in the order of SearchedAt.
     Transform made_at; ///< T0
     Vec2 arm;          ///< from p0 to m, in A's frame [m]
     float radius = 0;  ///< R, or more where B may not turn by as much as points may move [m]
@@ -37,6 +41,8 @@ struct CollisionMemory
     Result result = Result::Nothing;
     std::uint8_t faces_a = 0; ///< of A: its face, and 16 times the edge that faces B's
     std::uint8_t faces_b = 0;
+    bool has_face_pair = false;              ///< these faces face each other: their contact needs no shapes
+    std::array<std::uint16_t, 2> features{}; ///< see FacingFaces
 };
 
 /// What collide() is told of a search that holds.
@@ -55,12 +61,9 @@ inline FaceSearch known_faces(const CollisionMemory& memory)
 inline bool holds(const CollisionMemory& memory, const Transform& b_in_a)
 {
     if (memory.result == CollisionMemory::Result::Nothing) return false;
-    const Rot turn = relative(memory.made_at.q, b_in_a.q);
-    const float less = turn.c - 1;
-    const float rest = memory.allowed - (std::abs(turn.s) - less) * memory.radius; // |s| + |c - 1| is at least |Q - I|
-    const Vec2 arm = memory.arm;
-    const Vec2 way = b_in_a.p - memory.made_at.p + Vec2{less * arm.x - turn.s * arm.y, turn.s * arm.x + less * arm.y};
-    return rest >= 0 && length_squared(way) <= rest * rest;
+    const auto lanes = [](const Transform& t) { return LaneTransform<float>{{t.p.x, t.p.y}, {t.q.c, t.q.s}}; };
+    const SearchedAt<float> search = {lanes(memory.made_at), {memory.arm.x, memory.arm.y}, memory.radius, memory.allowed};
+    return holds(search, lanes(b_in_a));
 }
 
 /// One of two shapes that were searched.

@@ -14,6 +14,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     make_room(manifolds, contacts.size() + 1);
     make_room(results, contacts.size() + 1);
     make_room(memories, contacts.size() + 1);
+    make_room(face_pairs, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
     make_room(awake_pairs, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
@@ -23,6 +24,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
         manifolds.emplace_back();
         results.emplace_back();
         memories.emplace_back();
+        face_pairs.emplace_back();
     }
     contacts[slot] = pair;
     contacts[slot].is_live = true;
@@ -73,6 +75,7 @@ void ContactStore::shrink()
     cut(manifolds, slots.size());
     cut(results, slots.size());
     cut(memories, slots.size());
+    cut(face_pairs, slots.size());
     cut(awake, awake.size());
     cut(awake_pairs, awake_pairs.size());
     make_room_to_wake();
@@ -91,6 +94,7 @@ void ContactStore::reserve(std::size_t count)
     manifolds.reserve(count);
     results.reserve(count);
     memories.reserve(count);
+    face_pairs.reserve(count);
     awake.reserve(count);
     awake_pairs.reserve(count);
 }

@@ -135,6 +135,7 @@ public:
           manifolds(&memory),
           results(&memory),
           memories(&memory),
+          face_pairs(&memory),
           awake(&memory),
           awake_pairs(&memory)
     {
@@ -160,8 +161,9 @@ public:
     std::pmr::vector<ContactManifold> manifolds;
     std::pmr::vector<ContactResult> results;
     std::pmr::vector<CollisionMemory> memories;
-    std::pmr::vector<std::uint32_t> awake;   ///< slots, in an order that only the history of the world decides
-    std::pmr::vector<AwakePair> awake_pairs; ///< of the awake contacts, in the same order
+    std::pmr::vector<FacePair<float>> face_pairs; ///< where the memory has one
+    std::pmr::vector<std::uint32_t> awake;        ///< slots, in an order that only the history of the world decides
+    std::pmr::vector<AwakePair> awake_pairs;      ///< of the awake contacts, in the same order
 
 private:
     std::uint32_t search_ = 0; ///< the last one's number; turns over after years, when no pair of that time is left

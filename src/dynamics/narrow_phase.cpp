@@ -2,7 +2,9 @@
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/internal_edges.hpp"
+#include "dynamics/known_contacts.hpp"
 #include "dynamics/one_sided.hpp"
+#include "dynamics/write_points.hpp"
 #include "geometry/distance.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
@@ -17,50 +19,6 @@ namespace carom::detail
 
 namespace
 {
-
-/// Gives the manifold the features of new points. Points that go on keep the impulses of the old point that the same features made.
-void match_points(ContactManifold& manifold, const LocalManifold& local)
-{
-    const auto goes_on = [&](std::size_t i) { return manifold.features[i] == local.points[i].feature; };
-    if (manifold.count == local.count && goes_on(0) && (local.count == 1 || goes_on(1))) return;
-    const std::array<std::uint32_t, 2> features = manifold.features;
-    const std::array<ContactImpulse, 2> impulses = manifold.impulses;
-    const auto impulse_of = [&](std::uint32_t feature) -> ContactImpulse
-    {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-            if (features[i] == feature) return impulses[i];
-        return {};
-    };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
-    {
-        manifold.features[i] = local.points[i].feature;
-        manifold.impulses[i] = impulse_of(local.points[i].feature);
-    }
-    manifold.count = local.count;
-}
-
-/// Writes a contact as it is now.
-void write(ContactManifold& manifold, const LocalManifold& local, const BodyPose& pose_a, const BodyPose& pose_b)
-{
-    manifold.has_result = false;
-    manifold.normal = rotate(pose_a.transform.q, local.normal);
-    if (local.count == 0)
-    {
-        manifold.count = 0;
-        manifold.rolling_impulse = manifold.carried_impulse = 0;
-        return;
-    }
-    match_points(manifold, local);
-    manifold.center_a = pose_a.center;
-    const Vec2 centers = pose_b.center - pose_a.center;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(local.count); ++i)
-    {
-        ContactArms& arms = manifold.arms[i];
-        arms.r_a = rotate(pose_a.transform.q, local.points[i].position - pose_a.local_center);
-        arms.r_b = arms.r_a - centers;
-        manifold.separation[i] = local.points[i].separation;
-    }
-}
 
 /// Looks at the surroundings of a contact when they are not known.
 bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
@@ -77,15 +35,23 @@ bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore
 
 /// Collides two shapes.
 /// @param is_known whether what is remembered of them holds
-LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, bool is_known, const Transform& b_in_a,
-                             const ShapeStore& shapes)
+/// @param face_pair set where the memory says so
+LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, FacePair<float>& face_pair, bool is_known,
+                             const Transform& b_in_a, const ShapeStore& shapes)
 {
     const Geometry& a = shapes.geometry[contact.shape_a];
     const Geometry& b = shapes.geometry[contact.shape_b];
     FaceSearch search = is_known ? known_faces(memory) : FaceSearch{};
     const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
-    if (!is_known || search.gap > 0)
-        memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
+    if (is_known && search.gap == 0) return local;
+    memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
+    if (memory.result == CollisionMemory::Result::Faces && face_each_other(search))
+    {
+        const FacingFaces faces = facing_faces(a, b, search);
+        memory.has_face_pair = true;
+        memory.features = faces.features;
+        face_pair = faces.pair;
+    }
     return local;
 }
 
@@ -99,7 +65,8 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
     CollisionMemory& memory = contacts.memories[slot];
     const bool is_known = holds(memory, b_in_a);
     const bool are_apart = is_known && memory.result == CollisionMemory::Result::Gap;
-    const LocalManifold alone = are_apart ? LocalManifold{} : collide_shapes(contact, memory, is_known, b_in_a, shapes);
+    const LocalManifold alone =
+        are_apart ? LocalManifold{} : collide_shapes(contact, memory, contacts.face_pairs[slot], is_known, b_in_a, shapes);
     if (!are_apart)
     {
         manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
@@ -163,15 +130,17 @@ struct NearPair
 {
     std::uint32_t place; ///< in the list of awake contacts
     BoundsNearness nearness;
+    std::uint8_t place_in_batch = KnownContacts::no_place;
 };
 
-/// So many contacts are looked at before the first of them is updated: by then its lines have come from memory.
-constexpr std::size_t block_size = 32;
+/// So many contacts are looked at before the first of them is updated: by then its lines have come from memory, and those whose faces are known
+/// are updated several at once.
+constexpr std::size_t block_size = touch_batch;
 
 /// The contacts of a part of the list of awake ones that have to be updated.
 /// @param near room for a block
-std::span<const NearPair> look_at_bounds(std::size_t begin, std::size_t end, const ShapeStore& shapes, const ContactStore& contacts,
-                                         std::span<NearPair> near)
+std::span<NearPair> look_at_bounds(std::size_t begin, std::size_t end, const ShapeStore& shapes, const ContactStore& contacts,
+                                   std::span<NearPair> near)
 {
     std::size_t count = 0;
     for (std::size_t place = begin; place < end; ++place)
@@ -185,9 +154,19 @@ std::span<const NearPair> look_at_bounds(std::size_t begin, std::size_t end, con
         fetch_lines(contacts.contacts[slot]);
         if (nearness != BoundsNearness::Near) continue;
         fetch_lines(contacts.memories[slot]);
+        fetch_lines(contacts.face_pairs[slot]);
         fetch_lines(contacts.manifolds[slot]);
     }
     return near.first(count);
+}
+
+/// Updates the contacts of a block whose faces are known.
+void update_known(const BodyStore& bodies, std::span<NearPair> near, ContactStore& contacts, KnownContacts& known)
+{
+    known.clear();
+    for (NearPair& pair : near)
+        if (pair.nearness == BoundsNearness::Near) pair.place_in_batch = known.add(contacts.awake[pair.place], contacts);
+    known.update(bodies, contacts);
 }
 
 } // namespace
@@ -218,15 +197,20 @@ void forget_impulses(ContactManifold& manifold)
     manifold.impulses = {};
 }
 
-void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first, ContactChanges& changes)
+void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts,
+                      std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    std::array<NearPair, block_size> near;
+    std::array<NearPair, block_size> room;
+    KnownContacts known(passes, touch_limits(shapes.tolerances.speculative_distance, shapes.tolerances));
     for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {
         const std::size_t end = std::min(begin + block_size, contacts.awake.size());
-        for (const NearPair& pair : look_at_bounds(begin, end, shapes, contacts, near))
+        const std::span<NearPair> near = look_at_bounds(begin, end, shapes, contacts, room);
+        update_known(bodies, near, contacts, known);
+        for (const NearPair& pair : near)
         {
+            if (known.is_updated(pair.place_in_batch)) continue;
             const std::uint32_t slot = contacts.awake[pair.place];
             if (pair.nearness == BoundsNearness::Separated)
             {

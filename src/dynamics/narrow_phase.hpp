@@ -4,6 +4,7 @@
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "geometry/isa/touch_passes.hpp"
 
 #include <cstdint>
 #include <memory_resource>
@@ -36,7 +37,8 @@ void forget_impulses(ContactManifold& manifold);
 
 /// Collides the shapes of awake contacts; points made by the same features keep their impulses.
 /// @param first where in the list of awake contacts to begin
-void update_manifolds(const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts, std::size_t first,
-                      ContactChanges& changes);
+/// @param passes of the world's instruction set
+void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts,
+                      std::size_t first, ContactChanges& changes);
 
 } // namespace carom::detail

@@ -16,7 +16,7 @@ namespace
 class NarrowPhaseTest : public testing::Test
 {
 protected:
-    void update() { update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes); }
+    void update() { update_manifolds(touch_passes_of(best_simd()), scene.bodies, scene.shapes, scene.contacts, 0, changes); }
     ContactManifold& manifold() { return scene.contacts.manifolds[slot]; }
     ContactResult result() { return result_of(manifold(), scene.contacts.results[slot]); }
 
@@ -117,7 +117,7 @@ TEST_F(NarrowPhaseTest, sensors_count_an_overlap_and_never_go_to_the_solver)
 
 TEST_F(NarrowPhaseTest, only_contacts_from_the_first_on_are_looked_at)
 {
-    update_manifolds(scene.bodies, scene.shapes, scene.contacts, 1, changes);
+    update_manifolds(touch_passes_of(best_simd()), scene.bodies, scene.shapes, scene.contacts, 1, changes);
     EXPECT_EQ(manifold().count, 0);
 }
 

@@ -1,6 +1,6 @@
 // Chooses the kernel for two shapes, and holds the kernels of circles.
 #include "geometry/manifold.hpp"
-#include "geometry/manifold_kernels.hpp"
+#include "geometry/faces.hpp"
 #include "geometry/nearest.hpp"
 
 #include <variant>
@@ -58,10 +58,6 @@ LocalManifold collide_circle_with(const Circle& a, const Other& b, const Transfo
     const Nearest nearest = nearest_on(b, inverse_transform(b_in_a, a.center));
     return circle_contact(a.center, rotate(b_in_a.q, nearest.normal), nearest.distance, a.radius, b.radius, true, near);
 }
-
-SegmentCore core_of(const Capsule& capsule) { return {capsule.p1, capsule.p2, capsule.radius}; }
-
-SegmentCore core_of(const Segment& segment) { return {segment.p1, segment.p2, 0}; }
 
 LocalManifold collide_with(const Circle& a, const Geometry& b, const Transform& b_in_a, const Nearness& near)
 {

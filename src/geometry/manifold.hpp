@@ -1,6 +1,7 @@
 // Narrow phase: where two shapes touch, as at most two points with the features that made them.
 #pragma once
 
+#include "geometry/kernels/known_faces.hpp"
 #include "geometry/tolerances.hpp"
 
 #include <carom/math.hpp>
@@ -46,6 +47,25 @@ struct FaceSearch
     /// Of a contact without points: the shapes are farther apart than the margin by at least this [m].
     float gap = 0;
 };
+
+/// Whether each of the faces found is the edge that faces the other one, as with shapes that lie on each other.
+inline bool face_each_other(const FaceSearch& search) { return search.facing_a == search.face_a && search.facing_b == search.face_b; }
+
+/// Two faces that face each other, without their shapes: what touch_faces() needs.
+struct FacingFaces
+{
+    FacePair<float> pair;
+    /// Of the points at the start and at the end of A's face. Where B's face is the reference, they come in the other order.
+    std::array<std::uint16_t, 2> features;
+};
+
+/// @param search found faces that face each other
+FacingFaces facing_faces(const Geometry& a, const Geometry& b, const FaceSearch& search);
+
+inline TouchLimits touch_limits(float margin, const Tolerances& tolerances)
+{
+    return {margin, tolerances.least_core_distance, tolerances.reference_preference};
+}
 
 /// The contact of two shapes; no points when they are farther apart than `margin`.
 /// @param b_in_a     the frame of B's body seen from A's

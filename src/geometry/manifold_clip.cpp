@@ -8,38 +8,29 @@ namespace carom::detail
 namespace
 {
 
-/// A point of the incident edge in the frame of the reference edge: t along it from v1, h above it [m].
-struct EdgePoint
-{
-    float t;
-    float h;
-};
+using Point = EdgePoint<float>;
 
-EdgePoint in_frame_of_reference(const EdgePair& pair, Vec2 point)
+ReferenceEdge<float> reference_of(const EdgePair& pair)
 {
-    const Vec2 d = point - pair.reference.v1;
-    return {dot(d, left_perp(pair.normal)), dot(d, pair.normal)};
+    return {lane_vec(pair.reference.v1), lane_vec(pair.normal), pair.reference_radius, pair.incident_radius, lane_vec(pair.origin)};
 }
 
-/// Halfway between the surfaces: the reference's lies at height reference_radius, the incident one's at h - incident_radius.
-void add_point(LocalManifold& manifold, const EdgePair& pair, EdgePoint point, std::uint32_t reference_index, std::uint32_t incident_index,
+void add_point(LocalManifold& manifold, const EdgePair& pair, Point point, std::uint32_t reference_index, std::uint32_t incident_index,
                float margin)
 {
-    const float separation = point.h - pair.reference_radius - pair.incident_radius;
+    const ReferenceEdge<float> reference = reference_of(pair);
+    const float separation = separation_at(reference, point);
     if (separation > margin) return;
-    const float middle = 0.5f * (point.h + pair.reference_radius - pair.incident_radius);
+    const LaneVec<float> position = position_at(reference, point);
     LocalPoint& added = manifold.points[static_cast<std::size_t>(manifold.count++)];
-    added.position = pair.origin + (pair.reference.v1 + (point.t * left_perp(pair.normal) + middle * pair.normal));
+    added.position = {position.x, position.y};
     added.separation = separation;
     added.feature = pair.reference_is_b ? feature_of(incident_index, reference_index) : feature_of(reference_index, incident_index);
 }
 
 // Every function here returns one variable or the result of a call: so the manifold is written where the caller wants it, and never copied.
 
-/// Height where the incident edge crosses t; the ends lie on different sides of it.
-EdgePoint cut(EdgePoint a, EdgePoint b, float t) { return {t, a.h + (t - a.t) / (b.t - a.t) * (b.h - a.h)}; }
-
-LocalManifold push_out_deepest(const EdgePair& pair, std::uint32_t v_index, EdgePoint w1, EdgePoint w2, float margin)
+LocalManifold push_out_deepest(const EdgePair& pair, std::uint32_t v_index, Point w1, Point w2, float margin)
 {
     LocalManifold manifold;
     manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
@@ -50,7 +41,7 @@ LocalManifold push_out_deepest(const EdgePair& pair, std::uint32_t v_index, Edge
 
 /// The edges pass each other by beyond the corner `v` of the reference edge. While the cores are apart the normal joins the nearest
 /// corners; when they overlap, that line could point anywhere, and the deepest end is pushed out along the reference normal.
-LocalManifold pass_by(const EdgePair& pair, Vec2 v, std::uint32_t v_index, EdgePoint w1, EdgePoint w2, float margin)
+LocalManifold pass_by(const EdgePair& pair, Vec2 v, std::uint32_t v_index, Point w1, Point w2, float margin)
 {
     const Edge& w = pair.incident;
     if (w1.h > 0 && w2.h > 0)
@@ -62,12 +53,12 @@ LocalManifold pass_by(const EdgePair& pair, Vec2 v, std::uint32_t v_index, EdgeP
 }
 
 /// The ends of the stretch from t = start to end that the edges have in common.
-LocalManifold clip_common(const EdgePair& pair, EdgePoint w1, EdgePoint w2, float start, float end, float margin)
+LocalManifold clip_common(const EdgePair& pair, Point w1, Point w2, float start, float end, float margin)
 {
     const Edge& v = pair.reference;
     const Edge& w = pair.incident;
-    const EdgePoint lower = w2.t < start ? cut(w2, w1, start) : w2;
-    const EdgePoint upper = w1.t > end ? cut(w2, w1, end) : w1;
+    const Point lower = lower_end(w1, w2, start);
+    const Point upper = upper_end(w1, w2, end);
     LocalManifold manifold;
     manifold.normal = pair.reference_is_b ? -pair.normal : pair.normal;
     add_point(manifold, pair, lower, v.i1, w.i2, margin);
@@ -82,8 +73,9 @@ LocalManifold clip(const EdgePair& pair, float margin)
     const Edge& v = pair.reference;
     const Edge& w = pair.incident;
     const float length_t = dot(v.v2 - v.v1, left_perp(pair.normal));
-    const EdgePoint w1 = in_frame_of_reference(pair, w.v1);
-    const EdgePoint w2 = in_frame_of_reference(pair, w.v2);
+    const ReferenceEdge<float> reference = reference_of(pair);
+    const Point w1 = in_frame_of(reference, lane_vec(w.v1));
+    const Point w2 = in_frame_of(reference, lane_vec(w.v2));
     const float start = -pair.slack;
     const float end = length_t + pair.slack;
     if (w1.t <= start && w2.t <= start) return pass_by(pair, v.v1, v.i1, w1, w2, margin);

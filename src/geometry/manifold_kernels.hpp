@@ -12,11 +12,6 @@
 namespace carom::detail
 {
 
-/// A corner that lies this far beyond the end of an edge, as a share of its distance, still counts as lying over the edge. Two boxes of
-/// equal width, one exactly on the other, are face to face and not corner to corner; the price is a thousandth of a radian in the normal.
-/// Test: Manifold.StackOfEqualBoxesHasTwoPoints.
-inline constexpr float corner_slack = 1e-3f;
-
 /// A shape that is the neighbourhood of a segment: a capsule, or a segment with radius 0.
 struct SegmentCore
 {
@@ -24,6 +19,8 @@ struct SegmentCore
     Vec2 p2;          ///< [m]
     float radius = 0; ///< [m]
 };
+
+inline LaneVec<float> lane_vec(Vec2 v) { return {v.x, v.y}; }
 
 /// How near two shapes have to be, how near is near enough, and what is found on the way.
 struct Nearness

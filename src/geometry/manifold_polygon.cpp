@@ -4,7 +4,7 @@
 // that separates least badly gives the least way out. Around the circle of directions, the separation has a single hill wherever
 // it is positive, so the best face normal is next to the true direction of the nearest points: those lie on the best face or at one of
 // its ends, and on the facing edge of the other polygon. Two polygons of two corners have too few faces for that (manifold_segment.cpp).
-#include "geometry/manifold_kernels.hpp"
+#include "geometry/faces.hpp"
 #include "math/float4.hpp"
 
 #include <algorithm>
@@ -116,15 +116,17 @@ void fill(Hull<blocks>& hull, const SegmentCore& core, const Place& place)
 {
     const Vec2 p1 = place.point(core.p1);
     const Vec2 p2 = place.point(core.p2);
-    const Vec2 right = place.direction(normalize(right_perp(core.p2 - core.p1))); // p1 and p2 may be one point after rounding
+    const Vec2 right = right_normal(core);
+    const Vec2 normal_0 = place.direction(right);
+    const Vec2 normal_1 = place.direction(-right);
     hull.count = 2;
     hull.radius = core.radius;
     for (int k = 0; k < blocks; ++k)
     {
         hull.x.block[k] = Float4{p1.x, p2.x, p1.x, p1.x};
         hull.y.block[k] = Float4{p1.y, p2.y, p1.y, p1.y};
-        hull.normal_x.block[k] = Float4{right.x, -right.x, right.x, right.x};
-        hull.normal_y.block[k] = Float4{right.y, -right.y, right.y, right.y};
+        hull.normal_x.block[k] = Float4{normal_0.x, normal_1.x, normal_0.x, normal_0.x};
+        hull.normal_y.block[k] = Float4{normal_0.y, normal_1.y, normal_0.y, normal_0.y};
     }
 }
 
@@ -187,37 +189,10 @@ FacingEdge facing_edge(const Hull<blocks>& other, Vec2 normal)
     return {best, second - along.one[best]};
 }
 
-/// A face of a shape, seen from A.
-struct Face
-{
-    Edge edge;
-    Vec2 normal;
-    float radius;
-};
-
 template <int blocks>
-Face face_of(const Hull<blocks>& hull, int face)
+Face hull_face(const Hull<blocks>& hull, int face)
 {
     return {hull.edge(face), hull.normal(face), hull.radius};
-}
-
-template <class Place>
-Face face_of(const Polygon& polygon, std::uint32_t face, const Place& place)
-{
-    const std::uint32_t next = face + 1 < static_cast<std::uint32_t>(polygon.count) ? face + 1 : 0;
-    return {{place.point(polygon.vertices[face]), place.point(polygon.vertices[next]), face, next},
-            place.direction(polygon.normals[face]),
-            polygon.radius};
-}
-
-template <class Place>
-Face face_of(const SegmentCore& core, std::uint32_t face, const Place& place)
-{
-    const Vec2 p1 = place.point(core.p1);
-    const Vec2 p2 = place.point(core.p2);
-    const Vec2 right = place.direction(normalize(right_perp(core.p2 - core.p1)));
-    if (face == 0) return {{p1, p2, 0, 1}, right, core.radius};
-    return {{p2, p1, 1, 0}, -right, core.radius};
 }
 
 EdgePair pair_of(const Face& reference, const Face& other, bool reference_is_b, Vec2 origin)
@@ -282,8 +257,8 @@ LocalManifold collide_hulls(const Hull<blocks>& a, const Hull<blocks>& b, Vec2 o
     search.lead = std::min(best_a.lead, best_b.lead);
     search.turn_lead = std::min(facing_a.lead, facing_b.lead);
     if (is_reference_b(best_a.separation, best_b.separation, near))
-        return touch(face_of(b, best_b.face), face_of(a, facing_a.edge), best_b.separation, true, origin, near);
-    return touch(face_of(a, best_a.face), face_of(b, facing_b.edge), best_a.separation, false, origin, near);
+        return touch(hull_face(b, best_b.face), hull_face(a, facing_a.edge), best_b.separation, true, origin, near);
+    return touch(hull_face(a, best_a.face), hull_face(b, facing_b.edge), best_a.separation, false, origin, near);
 }
 
 /// How far a shape is in front of a face, when one of its edges that faces it is known: the deepest corner is one of its ends.
@@ -315,8 +290,7 @@ LocalManifold collide_known(const A& a, const B& b, Vec2 origin, const Transform
     const Face face_a = face_of(a, known.face_a, at_a);
     const Face face_b = face_of(b, known.face_b, at_b);
     // Of shapes that lie on each other, each one's face is the edge that faces the other's.
-    if (known.facing_a == known.face_a && known.facing_b == known.face_b)
-        return collide_faces(face_a, face_b, face_b, face_a, origin, near);
+    if (face_each_other(known)) return collide_faces(face_a, face_b, face_b, face_a, origin, near);
     return collide_faces(face_a, face_of(b, known.facing_b, at_b), face_b, face_of(a, known.facing_a, at_a), origin, near);
 }
 
@@ -334,7 +308,7 @@ LocalManifold collide_as_hulls(const A& shape_a, const B& shape_b, Vec2 origin, 
 
 LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
-    const Vec2 origin = a.vertices[0];
+    const Vec2 origin = origin_of(a);
     if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (a.count <= 4 && b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);
@@ -342,7 +316,7 @@ LocalManifold collide_polygons(const Polygon& a, const Polygon& b, const Transfo
 
 LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, const Transform& b_in_a, const Nearness& near)
 {
-    const Vec2 origin = a.vertices[0];
+    const Vec2 origin = origin_of(a);
     if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (a.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);
@@ -350,7 +324,7 @@ LocalManifold collide_polygon_segment(const Polygon& a, const SegmentCore& b, co
 
 LocalManifold collide_segment_polygon(const SegmentCore& a, const Polygon& b, const Transform& b_in_a, const Nearness& near)
 {
-    const Vec2 origin = a.p1;
+    const Vec2 origin = origin_of(a);
     if (near.search.are_known) return collide_known(a, b, origin, b_in_a, near);
     if (b.count <= 4) return collide_as_hulls<1>(a, b, origin, b_in_a, near);
     return collide_as_hulls<2>(a, b, origin, b_in_a, near);

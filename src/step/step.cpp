@@ -209,8 +209,11 @@ void run_stages(WorldState& world, float dt, int substeps, StepProbe* probe, Ste
         if (search.has_idle) world.must_review = true;
         make_room_for_contacts(world);
     });
-    run(Stage::UpdateManifolds,
-        [&] { update_contacts({world, world.shapes, world.pairs, world.events, world.rules, world.step_count}, world.arena); });
+    run(Stage::UpdateManifolds, [&]
+    {
+        update_contacts({touch_passes_of(world.simd), world, world.shapes, world.pairs, world.events, world.rules, world.step_count},
+                        world.arena);
+    });
     const ColorLists colors = run(Stage::BuildRows, [&]
     {
         ColorLists lists(world.contacts, world.arena);

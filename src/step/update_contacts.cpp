@@ -73,7 +73,7 @@ void update_contacts(const ContactStage& stage, std::pmr::memory_resource& scrat
     ContactChanges changes(scratch);
     for (std::size_t first = 0; first < contacts.awake.size();)
     {
-        update_manifolds(bodies, stage.shapes, contacts, first, changes);
+        update_manifolds(stage.passes, bodies, stage.shapes, contacts, first, changes);
         ask_pre_solve(bodies, stage.shapes, contacts, stage.rules, first, changes);
         end_contacts(stage, changes);
         first = contacts.awake.size();

@@ -4,6 +4,7 @@
 #include "broadphase/pair_set.hpp"
 #include "dynamics/contact_rules.hpp"
 #include "dynamics/shape_store.hpp"
+#include "geometry/isa/touch_passes.hpp"
 #include "state/event_buffers.hpp"
 #include "state/wake_graph.hpp"
 
@@ -16,6 +17,7 @@ namespace carom::detail
 /// What contacts are made of, and where their ends go.
 struct ContactStage
 {
+    const TouchPasses& passes; ///< of the world's instruction set
     WakeGraph graph;
     ShapeStore& shapes;
     PairSet& pairs;

@@ -197,7 +197,7 @@ public:
     {
         find_pairs(*broad_phase, scene.shapes, scene.bodies, joints, scene.contacts, known, {}, scene.memory);
         ContactChanges changes(scene.memory);
-        update_manifolds(scene.bodies, scene.shapes, scene.contacts, 0, changes);
+        update_manifolds(touch_passes_of(best_simd()), scene.bodies, scene.shapes, scene.contacts, 0, changes);
         for (const std::uint32_t slot : changes.separated)
         {
             known.erase({scene.contacts.contacts[slot].shape_a, scene.contacts.contacts[slot].shape_b});
