@@ -14,25 +14,23 @@ namespace carom::detail
 class KnownContacts
 {
 public:
-    static constexpr std::uint8_t no_place = 255;
-
     /// @param passes of the world's instruction set
     KnownContacts(const TouchPasses& passes, const TouchLimits& limits) : passes_(passes) { batch_.limits = limits; }
 
-    void clear() { batch_.count = 0; }
-    /// @return where the contact stands in the block, or no_place when it is none of these
-    std::uint8_t add(std::uint32_t slot, const ContactStore& contacts);
-    /// Writes the manifolds of those whose memory still holds and whose points lie along the faces.
-    void update(const BodyStore& bodies, ContactStore& contacts);
-    /// @param place as add() gave it
-    bool is_updated(std::uint8_t place) const { return place != no_place && (results_.are_known >> place & 1) != 0; }
+    /// Adds a contact of a block when it is one of these.
+    /// @param place its bit
+    void add(std::size_t place, std::uint32_t slot, const ContactStore& contacts);
+    /// Writes the manifolds of those whose memory still holds and whose points lie along the faces, and forgets the block.
+    /// @return the bits of these
+    std::uint64_t update(const BodyStore& bodies, ContactStore& contacts);
 
 private:
-    void write(ContactManifold& manifold, const CollisionMemory& memory, std::size_t place, Vec2 center_a) const;
+    void write(ContactManifold& manifold, const CollisionMemory& memory, std::size_t i, Vec2 center_a) const;
 
     const TouchPasses& passes_;
     TouchBatch batch_;
     TouchResults results_;
+    std::uint8_t places_[touch_batch]; ///< of the batch's contacts in the block
 };
 
 } // namespace carom::detail

@@ -11,7 +11,7 @@
 #include "memory/fetch_lines.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <span>
 
 namespace carom::detail
@@ -111,62 +111,57 @@ void note_change(const Contact& contact, const ContactManifold& manifold, std::u
     if (!has_points && has_color) changes.lost_points.push_back(slot);
 }
 
-/// How the bounds of two shapes lie to each other.
-enum class BoundsNearness : std::uint8_t
-{
-    Separated, ///< the fat ones have parted
-    Apart,     ///< the tight ones are farther apart than contacts are made
-    Near
-};
-
-BoundsNearness nearness_of(const ShapeBounds& a, const ShapeBounds& b, float margin)
-{
-    if (!overlaps(a.fat, b.fat)) return BoundsNearness::Separated;
-    return overlaps(expanded(a.tight, margin), b.tight) ? BoundsNearness::Near : BoundsNearness::Apart;
-}
-
-/// An awake contact that has to be updated.
-struct NearPair
-{
-    std::uint32_t place; ///< in the list of awake contacts
-    BoundsNearness nearness;
-    std::uint8_t place_in_batch = KnownContacts::no_place;
-};
-
 /// So many contacts are looked at before the first of them is updated: by then its lines have come from memory, and those whose faces are known
 /// are updated several at once.
 constexpr std::size_t block_size = touch_batch;
 
-/// The contacts of a part of the list of awake ones that have to be updated.
-/// @param near room for a block
-std::span<NearPair> look_at_bounds(std::size_t begin, std::size_t end, const ShapeStore& shapes, const ContactStore& contacts,
-                                   std::span<NearPair> near)
+/// A block of the list of awake contacts: a contact a bit.
+struct Block
 {
-    std::size_t count = 0;
-    for (std::size_t place = begin; place < end; ++place)
+    std::size_t begin; ///< of the list
+    std::size_t count;
+    std::uint64_t are_separated = 0; ///< the fat bounds have parted
+    std::uint64_t are_near = 0;      ///< the tight ones are no farther apart than contacts are made
+    std::uint64_t are_meant = 0;     ///< have to be updated
+};
+
+/// action(place) for each bit of a mask.
+template <class Action>
+void for_each_bit(std::uint64_t bits, Action&& action)
+{
+    for (; bits != 0; bits &= bits - 1) action(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+/// Compares the bounds of the contacts in a block.
+/// @param bounds room for it
+void look_at_bounds(const TouchPasses& passes, const ContactStore& contacts, BoundsBatch& bounds, Block& block)
+{
+    std::uint64_t are_idle = 0;
+    bounds.count = block.count;
+    for (std::size_t i = 0; i < block.count; ++i)
     {
-        const AwakePair& pair = contacts.awake_pairs[place];
-        const BoundsNearness nearness =
-            nearness_of(shapes.bounds[pair.shape_a], shapes.bounds[pair.shape_b], shapes.tolerances.speculative_distance);
-        if (nearness == BoundsNearness::Apart && pair.is_idle) continue;
-        near[count++] = {static_cast<std::uint32_t>(place), nearness};
-        const std::uint32_t slot = contacts.awake[place];
-        fetch_lines(contacts.contacts[slot]);
-        if (nearness != BoundsNearness::Near) continue;
+        const AwakePair& pair = contacts.awake_pairs[block.begin + i];
+        bounds.shapes_a[i] = pair.shape_a;
+        bounds.shapes_b[i] = pair.shape_b;
+        are_idle |= std::uint64_t{pair.is_idle} << i;
+    }
+    const BoundsResults results = passes.compare_bounds(bounds);
+    const std::uint64_t all = ~std::uint64_t{0} >> (block_size - block.count);
+    block.are_separated = results.are_separated & all;
+    block.are_near = ~(results.are_apart | results.are_separated) & all;
+    block.are_meant = block.are_separated | block.are_near | (~are_idle & all);
+}
+
+void fetch_lines_of(const Block& block, const ContactStore& contacts)
+{
+    for_each_bit(block.are_meant, [&](std::size_t i) { fetch_lines(contacts.contacts[contacts.awake[block.begin + i]]); });
+    for_each_bit(block.are_near, [&](std::size_t i)
+    {
+        const std::uint32_t slot = contacts.awake[block.begin + i];
         fetch_lines(contacts.memories[slot]);
         fetch_lines(contacts.face_pairs[slot]);
         fetch_lines(contacts.manifolds[slot]);
-    }
-    return near.first(count);
-}
-
-/// Updates the contacts of a block whose faces are known.
-void update_known(const BodyStore& bodies, std::span<NearPair> near, ContactStore& contacts, KnownContacts& known)
-{
-    known.clear();
-    for (NearPair& pair : near)
-        if (pair.nearness == BoundsNearness::Near) pair.place_in_batch = known.add(contacts.awake[pair.place], contacts);
-    known.update(bodies, contacts);
+    });
 }
 
 } // namespace
@@ -201,26 +196,23 @@ void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const 
                       std::size_t first, ContactChanges& changes)
 {
     changes.clear();
-    std::array<NearPair, block_size> room;
-    KnownContacts known(passes, touch_limits(shapes.tolerances.speculative_distance, shapes.tolerances));
+    const float margin = shapes.tolerances.speculative_distance;
+    BoundsBatch bounds = {.bounds = &shapes.bounds.data()->tight.min.x, .margin = margin};
+    KnownContacts known(passes, touch_limits(margin, shapes.tolerances));
     for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {
-        const std::size_t end = std::min(begin + block_size, contacts.awake.size());
-        const std::span<NearPair> near = look_at_bounds(begin, end, shapes, contacts, room);
-        update_known(bodies, near, contacts, known);
-        for (const NearPair& pair : near)
+        Block block = {begin, std::min(block_size, contacts.awake.size() - begin)};
+        look_at_bounds(passes, contacts, bounds, block);
+        fetch_lines_of(block, contacts);
+        for_each_bit(block.are_near, [&](std::size_t i) { known.add(i, contacts.awake[begin + i], contacts); });
+        for_each_bit(block.are_meant & ~known.update(bodies, contacts), [&](std::size_t i)
         {
-            if (known.is_updated(pair.place_in_batch)) continue;
-            const std::uint32_t slot = contacts.awake[pair.place];
-            if (pair.nearness == BoundsNearness::Separated)
-            {
-                changes.separated.push_back(slot);
-                continue;
-            }
-            const bool may_have_points = pair.nearness == BoundsNearness::Near;
-            contacts.awake_pairs[pair.place].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts) ? 1 : 0;
+            const std::uint32_t slot = contacts.awake[begin + i];
+            if ((block.are_separated >> i & 1) != 0) return changes.separated.push_back(slot);
+            const bool may_have_points = (block.are_near >> i & 1) != 0;
+            contacts.awake_pairs[begin + i].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts) ? 1 : 0;
             note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
-        }
+        });
     }
 }
 

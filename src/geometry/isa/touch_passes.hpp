@@ -15,6 +15,26 @@ namespace carom::detail
 /// So many contacts fit into a batch: one for each bit of a mask.
 inline constexpr std::size_t touch_batch = 64;
 
+/// Floats of a shape's bounds: the tight ones and the fat ones.
+inline constexpr std::size_t bounds_floats = 8;
+
+/// Pairs of shapes whose bounds are compared.
+struct BoundsBatch
+{
+    const float* bounds = nullptr; ///< by shape
+    float margin = 0;              ///< of the tight ones [m]
+    std::size_t count = 0;
+    std::uint32_t shapes_a[touch_batch] = {};
+    std::uint32_t shapes_b[touch_batch] = {};
+};
+
+/// A pair a bit; those behind the last pair mean nothing.
+struct BoundsResults
+{
+    std::uint64_t are_separated; ///< the fat ones have parted
+    std::uint64_t are_apart;     ///< the tight ones are farther apart than the margin
+};
+
 /// Floats of a pose, of a search and of a pair of faces, in the order of LanePose, SearchedAt and FacePair.
 inline constexpr std::size_t pose_floats = 8;
 inline constexpr std::size_t search_floats = 8;
@@ -52,9 +72,10 @@ struct TouchResults
     std::uint64_t references_are_b;
 };
 
+/// The lists of a batch are filled up to a whole number of lanes.
 struct TouchPasses
 {
-    /// @param batch its lists are filled up to a whole number of lanes
+    BoundsResults (*compare_bounds)(BoundsBatch& batch);
     void (*touch)(TouchBatch& batch, TouchResults& results);
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/isa/touch_passes.hpp"
+#include "geometry/kernels/bounds_lanes.hpp"
 #include "math/lane_records.hpp"
 
 namespace carom::detail
@@ -50,23 +51,51 @@ void store_rows(TouchRow* rows, const FaceTouch<F>& touch)
     scatter_four(records, 8, {touch.normal.x, touch.normal.y, touch.separation[0], touch.separation[1]});
 }
 
-/// Rounds a batch up to a whole number of lanes with copies of its last contact.
+/// Rounds a list up to a whole number of lanes with copies of its last element.
 template <class F>
-void fill_up(TouchBatch& batch)
+void fill_up(std::uint32_t* list, std::size_t count)
 {
-    constexpr auto width = static_cast<std::size_t>(lane_width<F>);
-    for (std::size_t i = batch.count; i % width != 0; ++i)
+    for (std::size_t i = count; i % static_cast<std::size_t>(lane_width<F>) != 0; ++i) list[i] = list[i - 1];
+}
+
+/// Of a shape in each lane.
+template <class F>
+struct BoundsLanes
+{
+    LaneBox<F> tight;
+    LaneBox<F> fat;
+};
+
+template <class F>
+BoundsLanes<F> gather_bounds(const float* bounds, const std::uint32_t* shapes)
+{
+    const EightLanes<F> c = gather_eight(records_at<F>(bounds, bounds_floats, shapes), 0);
+    return {{{c.f0, c.f1}, {c.f2, c.f3}}, {{c.f4, c.f5}, {c.f6, c.f7}}};
+}
+
+template <class F>
+[[gnu::flatten]] BoundsResults compare_all_bounds(BoundsBatch& batch)
+{
+    fill_up<F>(batch.shapes_a, batch.count);
+    fill_up<F>(batch.shapes_b, batch.count);
+    std::uint64_t are_separated_bits = 0;
+    std::uint64_t are_apart_bits = 0;
+    for (std::size_t i = 0; i < batch.count; i += static_cast<std::size_t>(lane_width<F>))
     {
-        batch.contacts[i] = batch.contacts[i - 1];
-        batch.bodies_a[i] = batch.bodies_a[i - 1];
-        batch.bodies_b[i] = batch.bodies_b[i - 1];
+        const BoundsLanes<F> a = gather_bounds<F>(batch.bounds, batch.shapes_a + i);
+        const BoundsLanes<F> b = gather_bounds<F>(batch.bounds, batch.shapes_b + i);
+        are_separated_bits |= static_cast<std::uint64_t>(mask_bits(are_apart(a.fat, b.fat, F(0)))) << i;
+        are_apart_bits |= static_cast<std::uint64_t>(mask_bits(are_apart(a.tight, b.tight, F(batch.margin)))) << i;
     }
+    return {are_separated_bits, are_apart_bits};
 }
 
 template <class F>
 [[gnu::flatten]] void touch_all(TouchBatch& batch, TouchResults& results)
 {
-    fill_up<F>(batch);
+    fill_up<F>(batch.contacts, batch.count);
+    fill_up<F>(batch.bodies_a, batch.count);
+    fill_up<F>(batch.bodies_b, batch.count);
     std::uint64_t are_known = 0;
     std::uint64_t have_lower = 0;
     std::uint64_t have_upper = 0;
@@ -89,6 +118,6 @@ template <class F>
 }
 
 template <class F>
-inline constexpr TouchPasses touch_passes = {&touch_all<F>};
+inline constexpr TouchPasses touch_passes = {&compare_all_bounds<F>, &touch_all<F>};
 
 } // namespace carom::detail
