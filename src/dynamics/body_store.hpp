@@ -98,6 +98,7 @@ struct BodyRecord
     std::uint32_t first_shape = null_index;
     std::uint32_t first_contact = null_index; ///< contact edge, see ContactStore
     std::uint32_t first_joint = null_index;   ///< joint edge, see JointStore
+    std::uint32_t ground_contacts = 0;        ///< of a dynamic body: with bodies that are not, but for sensors
     float inner_radius = 0;                   ///< see BodyWatch
     float outer_radius = 0;
     std::uint32_t island = null_index; ///< of a dynamic body that is enabled

@@ -8,6 +8,19 @@
 namespace carom::detail
 {
 
+namespace
+{
+
+/// The bodies' counts of what they lie on, with a contact more, or less.
+void count_ground(const Contact& pair, BodyStore& bodies, std::uint32_t change)
+{
+    const bool is_dynamic_a = bodies.is_dynamic(pair.body_a);
+    if (pair.is_sensor || is_dynamic_a == bodies.is_dynamic(pair.body_b)) return;
+    bodies.records[is_dynamic_a ? pair.body_a : pair.body_b].ground_contacts += change;
+}
+
+} // namespace
+
 std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 {
     make_room(contacts, contacts.size() + 1);
@@ -33,6 +46,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     wake(slot);
     manifolds[slot] = {};
     memories[slot] = {};
+    count_ground(pair, bodies, 1);
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
     link_edge(contacts, 2 * slot + 1, bodies.records[pair.body_b].first_contact);
     return slot;
@@ -40,6 +54,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
 
 void ContactStore::destroy(std::uint32_t slot, BodyStore& bodies)
 {
+    count_ground(contacts[slot], bodies, ~std::uint32_t{0}); // one less
     unlink_edge(contacts, 2 * slot, bodies.records[contacts[slot].body_a].first_contact);
     unlink_edge(contacts, 2 * slot + 1, bodies.records[contacts[slot].body_b].first_contact);
     put_to_sleep(slot);

@@ -22,7 +22,8 @@ inline constexpr std::uint8_t no_color = 255;
 enum class Neighborhood : std::uint8_t
 {
     Unknown,
-    Empty, ///< each is the only shape of a dynamic body, and no one-sided segment
+    Empty,  ///< each is the only shape of a dynamic body, and no one-sided segment
+    Ground, ///< one is the only shape of a dynamic body; the other belongs to one that is not dynamic, and is no part of a chain
     Shared
 };
 

@@ -1,6 +1,7 @@
 // Gathers a block of contacts for the pass over known faces, and writes what it gives.
 #include "dynamics/known_contacts.hpp"
 
+#include "dynamics/neighborhood.hpp"
 #include "dynamics/write_points.hpp"
 
 namespace carom::detail
@@ -10,11 +11,11 @@ static_assert(sizeof(BodyPose) == pose_floats * sizeof(float));
 static_assert(offsetof(CollisionMemory, result) == search_floats * sizeof(float));
 static_assert(sizeof(FacePair<float>) == face_pair_floats * sizeof(float));
 
-void KnownContacts::add(std::size_t place, std::uint32_t slot, const ContactStore& contacts)
+void KnownContacts::add(std::size_t place, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts)
 {
     const Contact& contact = contacts.contacts[slot];
-    const bool may_be_known = contacts.memories[slot].has_face_pair && contact.color != no_color &&
-                              contact.neighborhood == Neighborhood::Empty && !contact.is_sensor;
+    const bool may_be_known =
+        contacts.memories[slot].has_face_pair && contact.color != no_color && !contact.is_sensor && !may_be_filtered(contact, bodies);
     if (!may_be_known) return;
     places_[batch_.count] = static_cast<std::uint8_t>(place);
     batch_.contacts[batch_.count] = slot;

@@ -19,7 +19,7 @@ public:
 
     /// Adds a contact of a block when it is one of these.
     /// @param place its bit
-    void add(std::size_t place, std::uint32_t slot, const ContactStore& contacts);
+    void add(std::size_t place, std::uint32_t slot, const BodyStore& bodies, const ContactStore& contacts);
     /// Writes the manifolds of those whose memory still holds and whose points lie along the faces, and forgets the block.
     /// @return the bits of these
     std::uint64_t update(const BodyStore& bodies, ContactStore& contacts);

@@ -3,6 +3,7 @@
 
 #include "dynamics/internal_edges.hpp"
 #include "dynamics/known_contacts.hpp"
+#include "dynamics/neighborhood.hpp"
 #include "dynamics/one_sided.hpp"
 #include "dynamics/write_points.hpp"
 #include "geometry/distance.hpp"
@@ -21,16 +22,9 @@ namespace
 {
 
 /// Looks at the surroundings of a contact when they are not known.
-bool may_be_filtered(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
+void know_neighborhood(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes)
 {
-    const auto is_alone = [&](std::uint32_t shape, std::uint32_t body)
-    { return !shapes.records[shape].is_one_sided && bodies.is_dynamic(body) && bodies.records[body].shape_count == 1; };
-    if (contact.neighborhood == Neighborhood::Unknown)
-    {
-        const bool are_alone = is_alone(contact.shape_a, contact.body_a) && is_alone(contact.shape_b, contact.body_b);
-        contact.neighborhood = are_alone ? Neighborhood::Empty : Neighborhood::Shared;
-    }
-    return contact.neighborhood == Neighborhood::Shared;
+    if (contact.neighborhood == Neighborhood::Unknown) contact.neighborhood = neighborhood_of(contact, bodies, shapes);
 }
 
 /// Collides two shapes.
@@ -72,7 +66,7 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
         manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
         manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
     }
-    if (!may_be_filtered(contact, bodies, shapes)) return write(manifold, alone, pose_a, pose_b);
+    if (!may_be_filtered(contact, bodies)) return write(manifold, alone, pose_a, pose_b);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
     write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
 }
@@ -88,11 +82,12 @@ bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& b
 {
     Contact& contact = contacts.contacts[slot];
     ContactManifold& manifold = contacts.manifolds[slot];
+    know_neighborhood(contact, bodies, shapes);
     if (!may_have_points)
     {
         manifold.count = 0;
         manifold.has_result = false;
-        if (!contact.is_sensor && may_be_filtered(contact, bodies, shapes))
+        if (!contact.is_sensor && contact.neighborhood == Neighborhood::Shared)
             keep_front({}, contact, bodies, shapes); // which side it is on is looked at all the same
     }
     else if (contact.is_sensor)
@@ -100,7 +95,7 @@ bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& b
     else
         collide_pair(slot, bodies, shapes, contacts);
     return manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
-           contact.neighborhood == Neighborhood::Empty;
+           contact.neighborhood != Neighborhood::Shared;
 }
 
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
@@ -204,7 +199,7 @@ void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const 
         Block block = {begin, std::min(block_size, contacts.awake.size() - begin)};
         look_at_bounds(passes, contacts, bounds, block);
         fetch_lines_of(block, contacts);
-        for_each_bit(block.are_near, [&](std::size_t i) { known.add(i, contacts.awake[begin + i], contacts); });
+        for_each_bit(block.are_near, [&](std::size_t i) { known.add(i, contacts.awake[begin + i], bodies, contacts); });
         for_each_bit(block.are_meant & ~known.update(bodies, contacts), [&](std::size_t i)
         {
             const std::uint32_t slot = contacts.awake[begin + i];

@@ -1,6 +1,7 @@
 #include "dynamics/narrow_phase.hpp"
 
 #include "dynamics/dynamics_test.hpp"
+#include "dynamics/neighborhood.hpp"
 #include "geometry/random_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -205,6 +206,19 @@ TEST_F(NarrowPhaseTest, two_that_are_near_and_do_not_touch_are_idle_until_they_m
     scene.shapes.bounds[other].fat = {{5, 5}, {6, 6}};
     update();
     EXPECT_EQ(changes.separated.size(), 1u) << "idle or not, it goes when the fat bounds part";
+}
+
+TEST_F(NarrowPhaseTest, what_lies_on_one_piece_of_ground_meets_no_inner_edge)
+{
+    update();
+    EXPECT_FALSE(may_be_filtered(scene.contacts.contacts[slot], scene.bodies));
+    const std::uint32_t next_tile = scene.add({.type = BodyType::Static, .position = {2.6f, -0.5f}}, box(1, 1));
+    const std::uint32_t other = scene.touch(next_tile, crate);
+    update();
+    EXPECT_TRUE(may_be_filtered(scene.contacts.contacts[slot], scene.bodies));
+    EXPECT_TRUE(may_be_filtered(scene.contacts.contacts[other], scene.bodies));
+    scene.contacts.destroy(other, scene.bodies);
+    EXPECT_FALSE(may_be_filtered(scene.contacts.contacts[slot], scene.bodies));
 }
 
 TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)

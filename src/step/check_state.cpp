@@ -1,6 +1,9 @@
 // Each check walks one structure and compares it with what the others say.
 #include "step/check_state.hpp"
 
+#include "dynamics/neighborhood.hpp"
+#include "state/walks.hpp"
+
 #include <span>
 
 namespace carom::detail
@@ -60,6 +63,7 @@ private:
         }
         if (bodies_.is_active(body))
             expect(bodies_.watches[bodies_.motion_index[body]].island == record.island, "a watch knows the island", body);
+        expect(record.ground_contacts == (bodies_.is_dynamic(body) ? ground_contacts(body) : 0), "a body counts what it lies on", body);
         check_shapes_of(body);
         check_edges_of(body);
     }
@@ -102,10 +106,13 @@ private:
         }
     }
 
-    bool is_alone(std::uint32_t shape) const
+    /// By walking the body's contacts.
+    std::uint32_t ground_contacts(std::uint32_t body) const
     {
-        const ShapeRecord& record = world_.shapes.records[shape];
-        return !record.is_one_sided && bodies_.is_dynamic(record.body) && bodies_.records[record.body].shape_count == 1;
+        std::uint32_t count = 0;
+        for_each_contact(bodies_, contacts_, body, [&](std::uint32_t contact, std::uint32_t other)
+        { count += !contacts_.contacts[contact].is_sensor && !bodies_.is_dynamic(other); });
+        return count;
     }
 
     void check_contacts()
@@ -126,8 +133,8 @@ private:
             const bool share_island = bodies_.records[contact.body_a].island == bodies_.records[contact.body_b].island;
             const bool has_points = !contact.is_sensor && contacts_.manifolds[slot].count > 0;
             expect(any_active || !are_dynamic || !has_points || share_island, "sleepers that touch share an island", slot);
-            if (contact.neighborhood == Neighborhood::Empty)
-                expect(is_alone(contact.shape_a) && is_alone(contact.shape_b), "what has no neighbourhood is alone on a dynamic body",
+            if (contact.neighborhood == Neighborhood::Empty || contact.neighborhood == Neighborhood::Ground)
+                expect(contact.neighborhood == neighborhood_of(contact, bodies_, world_.shapes), "a contact's neighbourhood is as it was",
                        slot);
             if (contact.color == no_color) continue;
             expect(any_active && !contact.is_sensor, "a coloured contact has an active body", slot);
