@@ -31,6 +31,12 @@ struct LaneRecords
 };
 
 template <class F>
+struct TwoLanes
+{
+    F f0, f1;
+};
+
+template <class F>
 struct FourLanes
 {
     F f0, f1, f2, f3;
@@ -76,6 +82,12 @@ template <class F>
 EightLanes<F> gather_eight(const LaneRecords<F, const float>& records, std::size_t first)
 {
     return gather_columns<EightLanes<F>>(records, first);
+}
+
+template <class F>
+void scatter_two(const LaneRecords<F, float>& records, std::size_t first, const TwoLanes<F>& lanes)
+{
+    scatter_columns(records, first, lanes);
 }
 
 template <class F>

@@ -34,6 +34,16 @@ inline EightLanes<Lanes<4>> gather_eight(const LaneRecords<Lanes<4>, const float
     return {l.f0, l.f1, l.f2, l.f3, r.f0, r.f1, r.f2, r.f3};
 }
 
+inline void scatter_two(const LaneRecords<Lanes<4>, float>& records, std::size_t first, const TwoLanes<Lanes<4>>& lanes)
+{
+    const __m128 of_01 = _mm_unpacklo_ps(lanes.f0.v, lanes.f1.v), of_23 = _mm_unpackhi_ps(lanes.f0.v, lanes.f1.v);
+    const auto to = [&](std::size_t i) { return reinterpret_cast<__m64*>(records.at[i] + first); };
+    _mm_storel_pi(to(0), of_01);
+    _mm_storeh_pi(to(1), of_01);
+    _mm_storel_pi(to(2), of_23);
+    _mm_storeh_pi(to(3), of_23);
+}
+
 inline void scatter_four(const LaneRecords<Lanes<4>, float>& records, std::size_t first, const FourLanes<Lanes<4>>& lanes)
 {
     const Quad<Lanes<4>> rows = transposed<Lanes<4>>({lanes.f0.v, lanes.f1.v, lanes.f2.v, lanes.f3.v});
@@ -78,6 +88,21 @@ EightQuads<Tag> load_quads(const float* const* records, std::size_t first)
     const auto both = [&](std::size_t i)
     { return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(records[i] + first)), _mm_loadu_ps(records[i + 4] + first), 1); };
     return transposed_quads<Tag>({both(0), both(1), both(2), both(3)});
+}
+
+template <class Tag>
+void store_pairs(float* const* records, std::size_t first, __m256 f0, __m256 f1)
+{
+    const auto both = [&](std::size_t i, __m128 pairs)
+    {
+        _mm_storel_pi(reinterpret_cast<__m64*>(records[i] + first), pairs);
+        _mm_storeh_pi(reinterpret_cast<__m64*>(records[i + 1] + first), pairs);
+    };
+    const __m256 lo = _mm256_unpacklo_ps(f0, f1), hi = _mm256_unpackhi_ps(f0, f1);
+    both(0, _mm256_castps256_ps128(lo));
+    both(2, _mm256_castps256_ps128(hi));
+    both(4, _mm256_extractf128_ps(lo, 1));
+    both(6, _mm256_extractf128_ps(hi, 1));
 }
 
 template <class Tag>
@@ -130,6 +155,11 @@ inline EightLanes<Lanes<8>> gather_eight(const LaneRecords<Lanes<8>, const float
     return {o.f0, o.f1, o.f2, o.f3, o.f4, o.f5, o.f6, o.f7};
 }
 
+inline void scatter_two(const LaneRecords<Lanes<8>, float>& records, std::size_t first, const TwoLanes<Lanes<8>>& l)
+{
+    store_pairs<Lanes<8>>(records.at, first, l.f0.v, l.f1.v);
+}
+
 inline void scatter_four(const LaneRecords<Lanes<8>, float>& records, std::size_t first, const FourLanes<Lanes<8>>& l)
 {
     store_quads<Lanes<8>>(records.at, first, {l.f0.v, l.f1.v, l.f2.v, l.f3.v});
@@ -162,6 +192,12 @@ inline EightLanes<Lanes<16>> gather_eight(const LaneRecords<Lanes<16>, const flo
     const Octet<Lanes<16>> r = load_octet<Lanes<16>>(records.at + 8, first);
     return {joined(l.f0, r.f0), joined(l.f1, r.f1), joined(l.f2, r.f2), joined(l.f3, r.f3),
             joined(l.f4, r.f4), joined(l.f5, r.f5), joined(l.f6, r.f6), joined(l.f7, r.f7)};
+}
+
+inline void scatter_two(const LaneRecords<Lanes<16>, float>& records, std::size_t first, const TwoLanes<Lanes<16>>& l)
+{
+    store_pairs<Lanes<16>>(records.at, first, low_of(l.f0), low_of(l.f1));
+    store_pairs<Lanes<16>>(records.at + 8, first, high_of(l.f0), high_of(l.f1));
 }
 
 inline void scatter_four(const LaneRecords<Lanes<16>, float>& records, std::size_t first, const FourLanes<Lanes<16>>& l)

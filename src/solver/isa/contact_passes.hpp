@@ -46,6 +46,20 @@ struct RowNeeds
 /// Fills rows that nothing has been written to. Free lanes of a last row push nothing.
 using FillPass = RowNeeds (*)(void* rows, const RowContacts& contacts, const RowSource& source);
 
+/// Contacts and bodies that results are written to.
+struct ResultTarget
+{
+    float* manifolds;     ///< by contact slot, see ManifoldFloats
+    float* results;       ///< by contact slot, see result_floats
+    const float* is_calm; ///< by motion index: 1 for a body that is at rest, and for index 0; else 0
+    bool* is_settling;    ///< of motion index 0; `watch_bytes` further on, that of the next
+    std::size_t watch_bytes;
+    StoreConstants<float> store;
+};
+
+/// Writes the results of rows. Bodies of contacts that are still coming up are marked as settling.
+using StorePass = void (*)(const void* rows, std::size_t count, const ResultTarget& target);
+
 /// What a round of bounces knows besides.
 struct BounceRound
 {
@@ -66,6 +80,7 @@ struct ContactPasses
     ContactPass solve;
     ContactPass relax;
     BouncePass bounce;
+    StorePass store;
 };
 
 } // namespace carom::detail

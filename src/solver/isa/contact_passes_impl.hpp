@@ -181,8 +181,69 @@ template <class F, int N>
     return any;
 }
 
+/// One float for each index.
+template <class F>
+F gather_floats(const float* floats, const LaneIndices<F>& indices)
+{
+    float lanes[static_cast<std::size_t>(lane_width<F>)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i) lanes[i] = floats[indices[i]];
+    F wide;
+    __builtin_memcpy(&wide, lanes, sizeof wide);
+    return wide;
+}
+
+/// Where the lanes of a row are written to.
+template <class F>
+struct TargetRecords
+{
+    LaneRecords<F, float> manifolds;
+    LaneRecords<F, float> results;
+};
+
+/// Marks manifolds that they have a result.
+/// @param nowhere the record of free lanes
 template <class F, int N>
-inline constexpr ContactPasses contact_passes = {&fill_rows<F, N>, &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
-                                                 &bounce_rows<F, N>};
+TargetRecords<F> targets_of(const ContactRow<F, N>& row, const ResultTarget& target, float* nowhere)
+{
+    TargetRecords<F> records;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i)
+    {
+        const std::uint32_t slot = row.contact[i];
+        float* const manifold = slot == no_contact ? nowhere : target.manifolds + ManifoldFloats::all * slot;
+        records.manifolds.at[i] = manifold;
+        records.results.at[i] = slot == no_contact ? nowhere : target.results + result_floats * slot;
+        reinterpret_cast<unsigned char*>(manifold)[ManifoldFloats::has_result] = 1;
+    }
+    return records;
+}
+
+template <class F, int N>
+[[gnu::flatten]] void store_rows(const void* rows, std::size_t count, const ResultTarget& target)
+{
+    const StoreConstants<F> k = {F(target.store.carried_part), F(target.store.carry_share), F(target.store.calm_share),
+                                 F(target.store.settled_within)};
+    float nowhere[ManifoldFloats::all];
+    for (std::size_t r = 0; r < count; ++r)
+    {
+        const ContactRow<F, N>& row = static_cast<const ContactRow<F, N>*>(rows)[r];
+        const TargetRecords<F> records = targets_of(row, target, nowhere);
+        store_points(row, records.manifolds, records.results);
+        const F are_calm = gather_floats<F>(target.is_calm, row.pushed_a) * gather_floats<F>(target.is_calm, row.pushed_b);
+        const F settles = store_load(row, records.manifolds, are_calm, k);
+        if (!any(settles > F(0))) continue;
+        for (int i = 0; i < lane_width<F>; ++i)
+        {
+            if (!(lane(settles, i) > 0)) continue;
+            const std::uint32_t a = row.pushed_a[static_cast<std::size_t>(i)];
+            const std::uint32_t b = row.pushed_b[static_cast<std::size_t>(i)];
+            if (a != 0) target.is_settling[target.watch_bytes * a] = true;
+            if (b != 0) target.is_settling[target.watch_bytes * b] = true;
+        }
+    }
+}
+
+template <class F, int N>
+inline constexpr ContactPasses contact_passes = {&fill_rows<F, N>,  &warm_start_rows<F, N>, &solve_rows<F, N>,
+                                                 &relax_rows<F, N>, &bounce_rows<F, N>,     &store_rows<F, N>};
 
 } // namespace carom::detail

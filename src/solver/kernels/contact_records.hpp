@@ -9,14 +9,19 @@
 namespace carom::detail
 {
 
-/// Where the groups of a ContactManifold begin [floats].
+/// Where a ContactManifold holds what kernels read and write [floats].
 struct ManifoldFloats
 {
     static constexpr std::size_t arms = 0;
     static constexpr std::size_t normal = 8;
+    static constexpr std::size_t rolling = 14;
     static constexpr std::size_t impulses = 16;
     static constexpr std::size_t all = 32;
+    static constexpr std::size_t has_result = 124; ///< [bytes]
 };
+
+/// Results as kernels see them, in the order of ContactResult; the last float is free.
+inline constexpr std::size_t result_floats = 8;
 
 /// Masses as kernels see them: inverse masses along x and y, inverse inertia, and one float that no kernel reads.
 inline constexpr std::size_t mass_floats = 4;
@@ -38,6 +43,16 @@ struct FillConstants
     F whirl_speed; ///< from which on a body meets others as a disc would [rad/s]
     SoftnessLanes<F> between_dynamic;
     SoftnessLanes<F> with_static;
+};
+
+/// What storing impulses shares between rows.
+template <class F>
+struct StoreConstants
+{
+    F carried_part;   ///< how much of a lasting load is carried
+    F carry_share;    ///< weight of this step's load in its running mean
+    F calm_share;     ///< the same between bodies at rest
+    F settled_within; ///< see Tolerances [m]
 };
 
 /// Bodies of a row as they are at the start of a step.
@@ -141,6 +156,43 @@ void fill(ContactRow<F, N>& row, const LaneRecords<F, const float>& manifolds, c
                    fill_k.warm_scale * impulses.f3);
     round_off(row, bodies, fill_k.whirl_speed);
     prepare(row, k, bodies.a, bodies.b);
+}
+
+/// Writes what the solver has found to the records of contacts.
+/// @param results see result_floats
+template <class F, int N>
+void store_points(const ContactRow<F, N>& row, const LaneRecords<F, float>& manifolds, const LaneRecords<F, float>& results)
+{
+    const PointRow<F>& p = row.points[0];
+    if constexpr (N == 2)
+    {
+        const PointRow<F>& q = row.points[1];
+        scatter_four(manifolds, ManifoldFloats::impulses, FourLanes<F>{p.lambda_n, p.lambda_t, q.lambda_n, q.lambda_t});
+        scatter_eight(
+            results, 0,
+            EightLanes<F>{p.total_n, p.total_t, q.total_n, q.total_t, p.normal_velocity, q.normal_velocity, row.rolling_total, F(0)});
+    }
+    else
+    {
+        scatter_two(manifolds, ManifoldFloats::impulses, TwoLanes<F>{p.lambda_n, p.lambda_t});
+        scatter_eight(results, 0, EightLanes<F>{p.total_n, p.total_t, F(0), F(0), p.normal_velocity, F(0), row.rolling_total, F(0)});
+    }
+}
+
+/// Writes the rolling impulse, and what each point has been carrying.
+/// @param are_calm 1 where both bodies are at rest or can't be pushed, else 0
+/// @return 1 where the spring of a contact is far from where the whole correction would hold it, else 0
+template <class F, int N>
+F store_load(const ContactRow<F, N>& row, const LaneRecords<F, float>& manifolds, const F& are_calm, const StoreConstants<F>& k)
+{
+    // The mean of the points: followed one by one, they would amplify a tower's rocking.
+    F load = F(0);
+    for (const PointRow<F>& point : row.points) load = load + point.lambda_n / F(static_cast<float>(N));
+    const F missing = k.carried_part * load - row.carried;
+    const F share = select(are_calm > F(0), k.calm_share, k.carry_share);
+    scatter_two(manifolds, ManifoldFloats::rolling, TwoLanes<F>{row.rolling_lambda, row.carried + share * missing});
+    const F stiffness = row.points[0].normal_mass * row.mass_scale * row.bias_rate;
+    return select(row.impulse_scale * missing > k.settled_within * stiffness, F(1), F(0));
 }
 
 } // namespace carom::detail

@@ -213,36 +213,14 @@ void WideContactSolver<F>::for_each_contact(Action&& action) const
 template <class F>
 void WideContactSolver<F>::store_impulses(ContactStore& contacts, std::span<BodyWatch> watches) const
 {
-    for_each_contact([&](const auto& row, int i, std::uint32_t slot)
-    {
-        ContactManifold& manifold = contacts.manifolds[slot];
-        ContactResult& result = contacts.results[slot];
-        manifold.rolling_impulse = lane(row.rolling_lambda, i);
-        manifold.has_result = true;
-        result = {};
-        result.total_rolling = lane(row.rolling_total, i);
-        // The mean of the points: followed one by one, they would amplify a tower's rocking.
-        float load = 0;
-        for (std::size_t p = 0; p < row.points.size(); ++p)
-        {
-            const auto& point = row.points[p];
-            manifold.impulses[p] = {lane(point.lambda_n, i), lane(point.lambda_t, i)};
-            result.totals[p] = {lane(point.total_n, i), lane(point.total_t, i)};
-            result.normal_velocity[p] = lane(point.normal_velocity, i);
-            load += manifold.impulses[p].normal / static_cast<float>(row.points.size());
-        }
-        const float carried = lane(row.carried, i);
-        const float missing = carried_part * load - carried;
-        const auto is_calm = [&](std::uint32_t body) { return body == 0 || watches[body].rest_time > 0; };
-        const bool are_calm = is_calm(row.pushed_a[static_cast<std::size_t>(i)]) && is_calm(row.pushed_b[static_cast<std::size_t>(i)]);
-        manifold.carried_impulse = carried + (are_calm ? calm_share_ : carry_share_) * missing;
-
-        // How far the spring of the contact is from where the whole correction would hold it.
-        const float stiffness = lane(row.points[0].normal_mass, i) * lane(row.mass_scale, i) * lane(row.bias_rate, i);
-        if (lane(row.impulse_scale, i) * missing <= settled_within_ * stiffness) return;
-        for (const std::uint32_t body : {row.pushed_a[static_cast<std::size_t>(i)], row.pushed_b[static_cast<std::size_t>(i)]})
-            if (body != 0) watches[body].is_settling = true;
-    });
+    if (single_.size() + double_.size() == 0) return;
+    std::pmr::vector<float> is_calm(&memory_);
+    is_calm.reserve(watches.size());
+    is_calm.push_back(1);
+    for (const BodyWatch& watch : watches.subspan(1)) is_calm.push_back(watch.rest_time > 0 ? 1.0f : 0.0f);
+    const ResultTarget target = target_of(contacts, watches, is_calm, {carried_part, carry_share_, calm_share_, settled_within_});
+    passes_.single.store(single_.begin(), single_.size(), target);
+    passes_.pairs.store(double_.begin(), double_.size(), target);
 }
 
 /// A belt is at work while what it carries moves along it, be it slower than the belt; under a body that is held fast it is not.

@@ -1,4 +1,4 @@
-// From contacts to rows: which contacts become rows together, and what their rows are filled from.
+// Between contacts and rows: which contacts become rows together, what their rows are filled from, and where results go.
 #pragma once
 
 #include "dynamics/body_store.hpp"
@@ -26,7 +26,10 @@ static_assert(offsetof(ContactManifold, carried_impulse) == (ManifoldFloats::nor
 static_assert(offsetof(ContactManifold, surface) == (ManifoldFloats::impulses + 4) * sizeof(float));
 static_assert(offsetof(Contact, body_b) == offsetof(Contact, body_a) + sizeof(std::uint32_t));
 static_assert(sizeof(BodyMass) == mass_floats * sizeof(float) && offsetof(BodyMass, inv_inertia) == 2 * sizeof(float));
-static_assert(null_index == no_contact);
+static_assert(offsetof(ContactManifold, rolling_impulse) == ManifoldFloats::rolling * sizeof(float));
+static_assert(sizeof(ContactResult) == result_floats * sizeof(float) && offsetof(ContactResult, normal_velocity) == 4 * sizeof(float) &&
+              offsetof(ContactResult, total_rolling) == 6 * sizeof(float));
+static_assert(null_index == no_contact && offsetof(ContactManifold, has_result) == ManifoldFloats::has_result && sizeof(bool) == 1);
 
 /// A body that turns by more than this in a substep meets others as a disc would [rad]: see round_off().
 inline constexpr float whirl = 1;
@@ -44,6 +47,17 @@ inline RowSource source_of(const BodyStore& bodies, const ContactStore& contacts
             .motions = floats_of(std::span(bodies.motions)),
             .fill = {constants.warm_scale, whirl * constants.inv_h, lanes_of(constants.between_dynamic), lanes_of(constants.with_static)},
             .pass = pass};
+}
+
+inline ResultTarget target_of(ContactStore& contacts, std::span<BodyWatch> watches, std::span<const float> is_calm,
+                              const StoreConstants<float>& constants)
+{
+    return {.manifolds = &contacts.manifolds.data()->arms[0].r_a.x,
+            .results = &contacts.results.data()->totals[0].normal,
+            .is_calm = is_calm.data(),
+            .is_settling = &watches.data()->is_settling,
+            .watch_bytes = sizeof(BodyWatch),
+            .store = constants};
 }
 
 /// The contacts of each colour by their number of points, both parts in the colour's order. Split without a branch, which random numbers of points
