@@ -148,7 +148,11 @@ void Shape::set_pre_solve(bool pre_solve)
     const std::uint32_t shape = editable(*world_, id_, "set_pre_solve");
     world_->shapes.records[shape].pre_solve = pre_solve;
     // What a hook last changed is over.
-    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot) { detail::mix_again(*world_, slot); });
+    for_each_contact_of_shape(*world_, shape, [&](std::uint32_t slot)
+    {
+        detail::refresh_wishes(world_->contacts.contacts[slot], world_->shapes);
+        detail::mix_again(*world_, slot);
+    });
 }
 
 void Shape::set_user_data(std::uint64_t user_data)

@@ -30,6 +30,7 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     make_room(face_pairs, contacts.size() + 1);
     make_room(awake, contacts.size() + 1);
     make_room(awake_pairs, contacts.size() + 1);
+    make_room(awake_states, contacts.size() + 1);
     const std::uint32_t slot = slots.acquire();
     if (slot == contacts.size())
     {
@@ -43,8 +44,8 @@ std::uint32_t ContactStore::create(const Contact& pair, BodyStore& bodies)
     contacts[slot].is_live = true;
     contacts[slot].search = search_;
     contacts[slot].place_in_awake = null_index;
-    wake(slot);
     manifolds[slot] = {};
+    wake(slot);
     memories[slot] = {};
     count_ground(pair, bodies, 1);
     link_edge(contacts, 2 * slot, bodies.records[pair.body_a].first_contact);
@@ -68,6 +69,7 @@ void ContactStore::wake(std::uint32_t slot)
     contacts[slot].place_in_awake = static_cast<std::uint32_t>(awake.size());
     awake.push_back(slot);
     awake_pairs.push_back({contacts[slot].shape_a, contacts[slot].shape_b & 0x7fffffffu, 0});
+    awake_states.push_back({.bucket = bucket_of(contacts[slot].color, manifolds[slot].count)});
 }
 
 void ContactStore::put_to_sleep(std::uint32_t slot)
@@ -80,7 +82,15 @@ void ContactStore::put_to_sleep(std::uint32_t slot)
     awake.pop_back();
     awake_pairs[place] = awake_pairs.back();
     awake_pairs.pop_back();
+    awake_states[place] = awake_states.back();
+    awake_states.pop_back();
     contacts[slot].place_in_awake = null_index;
+}
+
+void ContactStore::refresh_bucket(std::uint32_t slot)
+{
+    const Contact& contact = contacts[slot];
+    if (contact.place_in_awake != null_index) awake_states[contact.place_in_awake].bucket = bucket_of(contact.color, manifolds[slot].count);
 }
 
 void ContactStore::shrink()
@@ -93,6 +103,7 @@ void ContactStore::shrink()
     cut(face_pairs, slots.size());
     cut(awake, awake.size());
     cut(awake_pairs, awake_pairs.size());
+    cut(awake_states, awake_states.size());
     make_room_to_wake();
 }
 
@@ -100,6 +111,7 @@ void ContactStore::make_room_to_wake()
 {
     make_room(awake, contacts.size());
     make_room(awake_pairs, contacts.size());
+    make_room(awake_states, contacts.size());
 }
 
 void ContactStore::reserve(std::size_t count)
@@ -112,6 +124,7 @@ void ContactStore::reserve(std::size_t count)
     face_pairs.reserve(count);
     awake.reserve(count);
     awake_pairs.reserve(count);
+    awake_states.reserve(count);
 }
 
 } // namespace carom::detail

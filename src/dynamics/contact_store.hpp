@@ -48,6 +48,7 @@ struct Contact
     Neighborhood neighborhood = Neighborhood::Unknown;
     bool wants_persist = false; ///< one of its shapes asks for the events of each step
     bool wants_hits = false;    ///< one of them asks for hits
+    bool is_watched = false;    ///< one of them asks for any of these, or for the hook before each step
     std::uint32_t search = 0;   ///< the search for pairs that found it
 };
 
@@ -93,7 +94,7 @@ struct alignas(64) ContactManifold
     std::array<std::uint32_t, 2> features{};
     int count = 0;           ///< points; a sensor's overlap counts as one
     Vec2 center_a;           ///< A's centre of mass at the start of the step [m]
-    ContactImpulse last{};   ///< of all points over the last step in which it touched
+    ContactImpulse last{};   ///< of all points over the last step in which it touched, once it may no longer do so
     bool has_result = false; ///< whether the solver has worked on these points: else what ContactResult holds is old
 };
 static_assert(sizeof(ContactManifold) == 128);
@@ -116,6 +117,12 @@ inline ContactResult result_of(const ContactManifold& manifold, const ContactRes
     return manifold.has_result ? result : ContactResult{};
 }
 
+/// Over all points.
+inline ContactImpulse sum_of(const ContactResult& result)
+{
+    return {result.totals[0].normal + result.totals[1].normal, result.totals[0].tangent + result.totals[1].tangent};
+}
+
 /// What a step reads first of an awake contact: most pairs of a crowd are near and do not touch, and need nothing else.
 struct AwakePair
 {
@@ -123,6 +130,22 @@ struct AwakePair
     std::uint32_t shape_b : 31;
     /// No points, no colour, nothing that events told, and no surface beyond the two shapes: while their bounds are apart, it stays so.
     std::uint32_t is_idle : 1;
+};
+
+/// Contacts of one colour and one number of points are solved together: their bucket is 2 color + points - 1.
+inline constexpr std::uint8_t bucket_count = 64;
+inline constexpr std::uint8_t no_bucket = bucket_count;
+
+inline std::uint8_t bucket_of(std::uint8_t color, int points)
+{
+    return color == no_color || points == 0 ? no_bucket : static_cast<std::uint8_t>(2 * color + points - 1);
+}
+
+/// What the later stages of a step read first of an awake contact.
+struct AwakeState
+{
+    std::uint8_t bucket = no_bucket; ///< that of its colour and its points; no_bucket where the solver has nothing to do
+    bool is_quiet = false;           ///< events have nothing to tell of it in this step
 };
 
 /// All contacts of a world. Those of which no body is active leave the list of the awake ones, and with it every loop of a step. The
@@ -138,7 +161,8 @@ public:
           memories(&memory),
           face_pairs(&memory),
           awake(&memory),
-          awake_pairs(&memory)
+          awake_pairs(&memory),
+          awake_states(&memory)
     {
     }
 
@@ -156,6 +180,8 @@ public:
     /// Looks at a contact again in each step, or no longer. Neither allocates, nor minds when it is so already.
     void wake(std::uint32_t slot);
     void put_to_sleep(std::uint32_t slot);
+    /// Makes the bucket of a contact follow its colour and its points; nothing to do where it is asleep.
+    void refresh_bucket(std::uint32_t slot);
 
     SlotPool slots;
     std::pmr::vector<Contact> contacts;
@@ -165,6 +191,7 @@ public:
     std::pmr::vector<FacePair<float>> face_pairs; ///< where the memory has one
     std::pmr::vector<std::uint32_t> awake;        ///< slots, in an order that only the history of the world decides
     std::pmr::vector<AwakePair> awake_pairs;      ///< of the awake contacts, in the same order
+    std::pmr::vector<AwakeState> awake_states;
 
 private:
     std::uint32_t search_ = 0; ///< the last one's number; turns over after years, when no pair of that time is left

@@ -72,6 +72,36 @@ TEST(ContactStore, ListsOfBodiesAgreeWithAMapWhateverComesAndGoes)
     }
 }
 
+TEST(ContactStore, TheStateOfAnAwakeContactMovesWithIt)
+{
+    std::pmr::memory_resource& memory = *std::pmr::new_delete_resource();
+    BodyStore bodies(memory);
+    ContactStore contacts(memory);
+    for (int i = 0; i < 4; ++i) bodies.create({});
+    for (std::uint32_t i = 0; i < 3; ++i) contacts.create({.shape_a = i, .shape_b = i + 1, .body_a = i, .body_b = i + 1}, bodies);
+    for (std::uint32_t slot = 0; slot < 3; ++slot)
+    {
+        contacts.contacts[slot].color = static_cast<std::uint8_t>(10 + slot);
+        contacts.manifolds[slot].count = slot == 1 ? 1 : 2;
+        contacts.refresh_bucket(slot);
+    }
+    const auto bucket = [&](std::uint32_t slot) { return int{contacts.awake_states[contacts.contacts[slot].place_in_awake].bucket}; };
+    EXPECT_EQ(bucket(0), 21);
+    EXPECT_EQ(bucket(1), 22);
+    EXPECT_EQ(bucket(2), 23 + 2);
+    contacts.put_to_sleep(0);
+    EXPECT_EQ(contacts.awake_states.size(), 2u);
+    EXPECT_EQ(bucket(1), 22);
+    EXPECT_EQ(bucket(2), 25) << "it has taken the place";
+    contacts.contacts[0].color = no_color;
+    contacts.refresh_bucket(0); // asleep: nothing to do
+    contacts.wake(0);
+    EXPECT_EQ(bucket(0), no_bucket);
+    contacts.manifolds[1].count = 0;
+    contacts.refresh_bucket(1);
+    EXPECT_EQ(bucket(1), no_bucket);
+}
+
 TEST(ContactStore, AUsedPlaceStartsCold)
 {
     std::pmr::memory_resource& memory = *std::pmr::new_delete_resource();

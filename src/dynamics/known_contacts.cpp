@@ -2,6 +2,7 @@
 #include "dynamics/known_contacts.hpp"
 
 #include "dynamics/neighborhood.hpp"
+#include "dynamics/note_state.hpp"
 #include "dynamics/write_points.hpp"
 
 namespace carom::detail
@@ -57,7 +58,9 @@ std::uint64_t KnownContacts::update(const BodyStore& bodies, ContactStore& conta
         if ((results_.are_known >> i & 1) == 0) continue;
         const std::uint32_t slot = batch_.contacts[i];
         updated |= std::uint64_t{1} << places_[i];
+        const bool had_result = contacts.manifolds[slot].has_result;
         write(contacts.manifolds[slot], contacts.memories[slot], i, bodies.poses[batch_.bodies_a[i]].center);
+        note_state(slot, had_result, slop_, contacts);
     }
     batch_.count = 0;
     return updated;

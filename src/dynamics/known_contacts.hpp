@@ -15,7 +15,11 @@ class KnownContacts
 {
 public:
     /// @param passes of the world's instruction set
-    KnownContacts(const TouchPasses& passes, const TouchLimits& limits) : passes_(passes) { batch_.limits = limits; }
+    /// @param slop   Tolerances::linear_slop [m]
+    KnownContacts(const TouchPasses& passes, const TouchLimits& limits, float slop) : passes_(passes), slop_(slop)
+    {
+        batch_.limits = limits;
+    }
 
     /// Adds a contact of a block when it is one of these.
     /// @param place its bit
@@ -28,6 +32,7 @@ private:
     void write(ContactManifold& manifold, const CollisionMemory& memory, std::size_t i, Vec2 center_a) const;
 
     const TouchPasses& passes_;
+    float slop_;
     TouchBatch batch_;
     TouchResults results_;
     std::uint8_t places_[touch_batch]; ///< of the batch's contacts in the block

@@ -4,6 +4,7 @@
 #include "dynamics/internal_edges.hpp"
 #include "dynamics/known_contacts.hpp"
 #include "dynamics/neighborhood.hpp"
+#include "dynamics/note_state.hpp"
 #include "dynamics/one_sided.hpp"
 #include "dynamics/write_points.hpp"
 #include "geometry/distance.hpp"
@@ -77,12 +78,14 @@ bool overlap_pair(const Contact& contact, const BodyStore& bodies, const ShapeSt
     return overlap(shapes.geometry[contact.shape_a], shapes.geometry[contact.shape_b], b_in_a, shapes.tolerances);
 }
 
-/// @return whether the contact is idle now (AwakePair)
-bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
+/// @param place in the list of awake contacts
+void update_contact(std::size_t place, bool may_have_points, const BodyStore& bodies, const ShapeStore& shapes, ContactStore& contacts)
 {
+    const std::uint32_t slot = contacts.awake[place];
     Contact& contact = contacts.contacts[slot];
     ContactManifold& manifold = contacts.manifolds[slot];
     know_neighborhood(contact, bodies, shapes);
+    const bool had_result = manifold.has_result;
     if (!may_have_points)
     {
         manifold.count = 0;
@@ -94,8 +97,12 @@ bool update_contact(std::uint32_t slot, bool may_have_points, const BodyStore& b
         manifold.count = overlap_pair(contact, bodies, shapes) ? 1 : 0;
     else
         collide_pair(slot, bodies, shapes, contacts);
-    return manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
-           contact.neighborhood != Neighborhood::Shared;
+
+    note_state(slot, had_result, shapes.tolerances.linear_slop, contacts);
+    contacts.awake_pairs[place].is_idle = manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
+                                                  contact.neighborhood != Neighborhood::Shared
+                                              ? 1
+                                              : 0;
 }
 
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)
@@ -193,7 +200,7 @@ void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const 
     changes.clear();
     const float margin = shapes.tolerances.speculative_distance;
     BoundsBatch bounds = {.bounds = &shapes.bounds.data()->tight.min.x, .margin = margin};
-    KnownContacts known(passes, touch_limits(margin, shapes.tolerances));
+    KnownContacts known(passes, touch_limits(margin, shapes.tolerances), shapes.tolerances.linear_slop);
     for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {
         Block block = {begin, std::min(block_size, contacts.awake.size() - begin)};
@@ -204,8 +211,7 @@ void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const 
         {
             const std::uint32_t slot = contacts.awake[begin + i];
             if ((block.are_separated >> i & 1) != 0) return changes.separated.push_back(slot);
-            const bool may_have_points = (block.are_near >> i & 1) != 0;
-            contacts.awake_pairs[begin + i].is_idle = update_contact(slot, may_have_points, bodies, shapes, contacts) ? 1 : 0;
+            update_contact(begin + i, (block.are_near >> i & 1) != 0, bodies, shapes, contacts);
             note_change(contacts.contacts[slot], contacts.manifolds[slot], slot, changes);
         });
     }

@@ -221,6 +221,42 @@ TEST_F(NarrowPhaseTest, what_lies_on_one_piece_of_ground_meets_no_inner_edge)
     EXPECT_FALSE(may_be_filtered(scene.contacts.contacts[slot], scene.bodies));
 }
 
+TEST_F(NarrowPhaseTest, events_are_quiet_while_surfaces_that_touch_stay_together)
+{
+    Contact& contact = scene.contacts.contacts[slot];
+    const auto is_quiet = [&]
+    {
+        update();
+        return scene.contacts.awake_states[contact.place_in_awake].is_quiet;
+    };
+    EXPECT_FALSE(is_quiet()) << "the contact begins";
+    contact.is_touching = true;
+    EXPECT_TRUE(is_quiet());
+    contact.is_watched = true;
+    EXPECT_FALSE(is_quiet()) << "each step is told";
+    contact.is_watched = false;
+    scene.place(crate, {{2, 0.51f}, {}});
+    EXPECT_FALSE(is_quiet()) << "the solver decides whether it ends";
+    scene.place(crate, {{2, 0.55f}, {}});
+    EXPECT_FALSE(is_quiet()) << "the contact ends";
+    contact.is_touching = false;
+    EXPECT_TRUE(is_quiet());
+}
+
+TEST_F(NarrowPhaseTest, the_impulses_of_the_last_step_are_kept_for_the_end)
+{
+    scene.contacts.contacts[slot].is_touching = true;
+    update();
+    manifold().has_result = true;
+    scene.contacts.results[slot] = {.totals = {ContactImpulse{3, 1}, ContactImpulse{5, -2}}};
+    scene.place(crate, {{2, 0.55f}, {}});
+    update();
+    EXPECT_EQ(manifold().last.normal, 8);
+    EXPECT_EQ(manifold().last.tangent, -1);
+    update();
+    EXPECT_EQ(manifold().last.normal, 0) << "what the store holds is old";
+}
+
 TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)
 {
     std::vector<std::uint32_t> expected = {slot};

@@ -134,6 +134,7 @@ void refresh_wishes(Contact& contact, const ShapeStore& shapes)
     const ShapeRecord& b = shapes.records[contact.shape_b];
     contact.wants_persist = a.persist_events || b.persist_events;
     contact.wants_hits = a.hit_events || b.hit_events;
+    contact.is_watched = contact.wants_persist || contact.wants_hits || a.pre_solve || b.pre_solve;
 }
 
 bool should_collide(const Filter& a, const Filter& b)

@@ -196,7 +196,7 @@ void end_contact(const WakeGraph& graph, ShapeStore& shapes, PairSet& pairs, Eve
 {
     const Contact& pair = graph.contacts.contacts[contact];
     const ContactManifold& manifold = graph.contacts.manifolds[contact];
-    note_end(pair, manifold, shapes, world, events);
+    note_end(pair, result_of(manifold, graph.contacts.results[contact]), shapes, world, events);
     if (!pair.is_sensor && manifold.count > 0)
     {
         wake_body(graph, pair.body_a);

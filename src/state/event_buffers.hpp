@@ -85,7 +85,8 @@ ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t wor
 Manifold public_manifold(const ContactManifold& manifold, const ContactResult& stored);
 
 /// Notes that a contact which the events have told as touching ends, whatever the reason. Call before its shapes are gone.
-void note_end(const Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);
+/// @param result of the last step in which it was solved
+void note_end(const Contact& contact, const ContactResult& result, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events);
 
 /// Compares what touches now with what the events have told, and fills the lists, each ordered by the shapes' indices.
 /// @return number of contacts that touch

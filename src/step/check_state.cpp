@@ -148,6 +148,7 @@ private:
     void check_awake_pairs()
     {
         expect(contacts_.awake_pairs.size() == contacts_.awake.size(), "an awake contact has a pair", 0);
+        expect(contacts_.awake_states.size() == contacts_.awake.size(), "an awake contact has a state", 0);
         for (std::size_t place = 0; place < contacts_.awake_pairs.size() && fault_.empty(); ++place)
         {
             const std::uint32_t slot = contacts_.awake[place];
@@ -157,6 +158,8 @@ private:
             const bool can_be_idle =
                 contacts_.manifolds[slot].count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting;
             expect(!pair.is_idle || can_be_idle, "an idle contact has nothing to tell", slot);
+            expect(contacts_.awake_states[place].bucket == bucket_of(contact.color, contacts_.manifolds[slot].count),
+                   "a contact's bucket is that of its colour and its points", slot);
         }
     }
 

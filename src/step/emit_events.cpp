@@ -5,6 +5,7 @@
 #include "memory/fetch_lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom::detail
 {
@@ -44,25 +45,14 @@ void emit_sensor(Contact& contact, bool touches_now, const ShapeStore& shapes, s
     contact.is_touching = touches_now;
 }
 
-/// For the end, which comes when the points may be gone.
-void remember_impulses(ContactManifold& manifold, const ContactResult& result)
-{
-    manifold.last = {};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(manifold.count); ++i)
-    {
-        manifold.last.normal += result.totals[i].normal;
-        manifold.last.tangent += result.totals[i].tangent;
-    }
-}
-
 /// Whether one of its shapes asks for the contact's begin and end.
 bool wants_ends(const Contact& contact, const ShapeStore& shapes)
 {
     return shapes.records[contact.shape_a].contact_events || shapes.records[contact.shape_b].contact_events;
 }
 
-void emit_contact(Contact& contact, ContactManifold& manifold, const ContactResult& result, bool touches_now, const ShapeStore& shapes,
-                  std::uint32_t world, EventBuffers& events)
+void emit_contact(Contact& contact, const ContactManifold& manifold, const ContactResult& result, bool touches_now,
+                  const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
     const auto id_of = [&](std::uint32_t shape) { return shape_id(shapes, shape, world); };
     if (touches_now && !contact.is_touching && wants_ends(contact, shapes))
@@ -71,7 +61,6 @@ void emit_contact(Contact& contact, ContactManifold& manifold, const ContactResu
         events.contact_persist.push_back({id_of(contact.shape_a), id_of(contact.shape_b), public_manifold(manifold, result)});
     else if (!touches_now && contact.is_touching && wants_ends(contact, shapes))
         events.contact_end.push_back({id_of(contact.shape_a), id_of(contact.shape_b), manifold.last.normal, manifold.last.tangent});
-    if (touches_now) remember_impulses(manifold, result);
     contact.is_touching = touches_now;
 }
 
@@ -110,7 +99,7 @@ constexpr std::size_t fetched_ahead = 8;
 
 void fetch_ahead(const ContactStore& contacts, std::size_t place)
 {
-    if (place >= contacts.awake.size() || contacts.awake_pairs[place].is_idle) return;
+    if (place >= contacts.awake.size() || contacts.awake_states[place].is_quiet) return;
     fetch_lines(contacts.contacts[contacts.awake[place]]);
     fetch_lines(contacts.manifolds[contacts.awake[place]]);
     fetch_lines(contacts.results[contacts.awake[place]]);
@@ -150,7 +139,7 @@ Manifold public_manifold(const ContactManifold& manifold, const ContactResult& s
     return shown;
 }
 
-void note_end(const Contact& contact, const ContactManifold& manifold, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
+void note_end(const Contact& contact, const ContactResult& result, const ShapeStore& shapes, std::uint32_t world, EventBuffers& events)
 {
     if (!contact.is_touching) return;
     --events.touching;
@@ -159,9 +148,11 @@ void note_end(const Contact& contact, const ContactManifold& manifold, const Sha
         add_sensor_events(contact, shapes, world, events.pending_sensor_end);
         return;
     }
-    if (wants_ends(contact, shapes))
-        events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world),
-                                              manifold.last.normal, manifold.last.tangent});
+    if (!wants_ends(contact, shapes)) return;
+    const ContactImpulse sum = sum_of(result);
+    const bool is_finite = std::isfinite(sum.normal) && std::isfinite(sum.tangent); // not what took a body to infinity
+    events.pending_contact_end.push_back({shape_id(shapes, contact.shape_a, world), shape_id(shapes, contact.shape_b, world),
+                                          is_finite ? sum.normal : 0, is_finite ? sum.tangent : 0});
 }
 
 int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, const ShapeStore& shapes, const ContactRules& rules,
@@ -176,11 +167,10 @@ int emit_events(ContactStore& contacts, std::span<const Crossing> crossings, con
     for (std::size_t place = 0; place < contacts.awake.size(); ++place)
     {
         fetch_ahead(contacts, place + fetched_ahead);
-        if (contacts.awake_pairs[place].is_idle) continue;
+        if (contacts.awake_states[place].is_quiet) continue;
         const std::uint32_t slot = contacts.awake[place];
         Contact& contact = contacts.contacts[slot];
-        ContactManifold& manifold = contacts.manifolds[slot];
-        if (manifold.count == 0 && !contact.is_touching && !contact.is_hitting) continue;
+        const ContactManifold& manifold = contacts.manifolds[slot];
         const ContactResult result = result_of(manifold, contacts.results[slot]);
         const bool touches_now = touches(contact, manifold, result, shapes.tolerances.linear_slop);
         events.touching += (touches_now ? 1 : 0) - (contact.is_touching ? 1 : 0);

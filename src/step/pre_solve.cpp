@@ -68,6 +68,7 @@ void ask_pre_solve(const BodyStore& bodies, const ShapeStore& shapes, ContactSto
         contact.is_overridden = true;
         if (shown.is_enabled) continue;
         manifold.count = 0;
+        contacts.refresh_bucket(slot);
         contact.is_disabled = true;
         any_disabled = true;
     }

@@ -78,6 +78,8 @@ TEST_F(QuarantineTest, ItsContactsEndInTheSameStep)
     lose(victim);
     ASSERT_EQ(world.step(dt).quarantined.size(), 1u);
     ASSERT_EQ(world.events().contact_end.size(), 1u);
+    EXPECT_TRUE(std::isfinite(world.events().contact_end[0].total_normal_impulse));
+    EXPECT_TRUE(std::isfinite(world.events().contact_end[0].total_tangent_impulse));
     EXPECT_EQ(world.events().contact_end[0].shape_b, world.body(victim).shapes()[0]);
     EXPECT_TRUE(world.body(witness).is_enabled());
     EXPECT_NEAR(world.body(witness).position().y, 0.5f, 0.01f);

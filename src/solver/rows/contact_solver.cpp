@@ -73,8 +73,8 @@ private:
     void run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions);
     template <class Action>
     void for_each_contact(Action&& action) const;
-    void make_room_for_rows(const ContactsByPoints& slots);
-    void build_color(const ContactsByPoints& slots, int color, const RowSource& source);
+    void make_room_for_rows(const ColorLists& colors);
+    void build_color(const ColorLists& colors, int color, const RowSource& source);
     template <class Row>
     void fill(RowList<Row>& rows, FillPass pass, const RowContacts& contacts, const RowSource& source);
 
@@ -113,10 +113,10 @@ void WideContactSolver<F>::fill(RowList<Row>& rows, FillPass pass, const RowCont
 }
 
 template <class F>
-void WideContactSolver<F>::build_color(const ContactsByPoints& slots, int color, const RowSource& source)
+void WideContactSolver<F>::build_color(const ColorLists& colors, int color, const RowSource& source)
 {
-    const std::span<const std::uint32_t> singles = slots.singles(color);
-    const std::span<const std::uint32_t> doubles = slots.doubles(color);
+    const std::span<const std::uint32_t> singles = colors.singles(color);
+    const std::span<const std::uint32_t> doubles = colors.doubles(color);
     if (singles.empty() && doubles.empty()) return;
     const std::size_t lanes = lanes_of_color<F>(color);
     ColorRange range = {single_.size(), 0, double_.size(), 0};
@@ -128,14 +128,14 @@ void WideContactSolver<F>::build_color(const ContactsByPoints& slots, int color,
 }
 
 template <class F>
-void WideContactSolver<F>::make_room_for_rows(const ContactsByPoints& slots)
+void WideContactSolver<F>::make_room_for_rows(const ColorLists& colors)
 {
     std::size_t singles = 0;
     std::size_t doubles = 0;
     for (int color = 0; color < color_count; ++color)
     {
-        singles += rows_for(slots.singles(color).size(), lanes_of_color<F>(color));
-        doubles += rows_for(slots.doubles(color).size(), lanes_of_color<F>(color));
+        singles += rows_for(colors.singles(color).size(), lanes_of_color<F>(color));
+        doubles += rows_for(colors.doubles(color).size(), lanes_of_color<F>(color));
     }
     single_.renew(singles);
     double_.renew(doubles);
@@ -147,8 +147,7 @@ template <class F>
 void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodies, const ContactStore& contacts,
                                  const ContactConstants& constants)
 {
-    const ContactsByPoints slots(colors, contacts, memory_);
-    make_room_for_rows(slots);
+    make_room_for_rows(colors);
     any_bounces_ = any_belts_ = false;
     carry_share_ = constants.carry_share;
     calm_share_ = constants.calm_share;
@@ -156,8 +155,8 @@ void WideContactSolver<F>::build(const ColorLists& colors, const BodyStore& bodi
     constants_ = {constants.inv_h, constants.push_out_speed, constants.restitution_threshold, 1.25f * constants.dt, constants.h};
 
     const RowSource source = source_of(bodies, contacts, constants, constants_);
-    build_color(slots, overflow_color, source);
-    for (int color = 0; color < overflow_color; ++color) build_color(slots, color, source);
+    build_color(colors, overflow_color, source);
+    for (int color = 0; color < overflow_color; ++color) build_color(colors, color, source);
 }
 
 template <class F>

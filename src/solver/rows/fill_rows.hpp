@@ -1,19 +1,16 @@
-// Between contacts and rows: which contacts become rows together, what their rows are filled from, and where results go.
+// Between contacts and rows: what rows are filled from, where they lie, and where their results go.
 #pragma once
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
 #include "solver/isa/contact_passes.hpp"
 #include "solver/rows/body_lanes.hpp"
-#include "solver/rows/graph_colors.hpp"
 #include "solver/rows/softness.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory_resource>
 #include <span>
-#include <vector>
 
 namespace carom::detail
 {
@@ -59,52 +56,6 @@ inline ResultTarget target_of(ContactStore& contacts, std::span<BodyWatch> watch
             .watch_bytes = sizeof(BodyWatch),
             .store = constants};
 }
-
-/// The contacts of each colour by their number of points, both parts in the colour's order. Split without a branch, which random numbers of points
-/// would mislead.
-class ContactsByPoints
-{
-public:
-    ContactsByPoints(const ColorLists& colors, const ContactStore& contacts, std::pmr::memory_resource& memory)
-        : singles_(colors.size() + 1, &memory),
-          doubles_(colors.size() + 1, &memory)
-    {
-        for (int color = 0; color < color_count; ++color)
-        {
-            std::size_t& single = ends_[static_cast<std::size_t>(color) + 1].single;
-            std::size_t& pair = ends_[static_cast<std::size_t>(color) + 1].pair;
-            single = ends_[static_cast<std::size_t>(color)].single;
-            pair = ends_[static_cast<std::size_t>(color)].pair;
-            for (const std::uint32_t slot : colors.list(color))
-            {
-                const std::size_t has_one = contacts.manifolds[slot].count == 1 ? 1 : 0;
-                singles_[single] = doubles_[pair] = slot;
-                single += has_one;
-                pair += 1 - has_one;
-            }
-        }
-    }
-
-    std::span<const std::uint32_t> singles(int color) const { return part(singles_, &Ends::single, color); }
-    std::span<const std::uint32_t> doubles(int color) const { return part(doubles_, &Ends::pair, color); }
-
-private:
-    struct Ends
-    {
-        std::size_t single = 0;
-        std::size_t pair = 0;
-    };
-
-    std::span<const std::uint32_t> part(const std::pmr::vector<std::uint32_t>& slots, std::size_t Ends::* end, int color) const
-    {
-        const std::size_t begin = ends_[static_cast<std::size_t>(color)].*end;
-        return std::span(slots).subspan(begin, ends_[static_cast<std::size_t>(color) + 1].*end - begin);
-    }
-
-    std::pmr::vector<std::uint32_t> singles_;
-    std::pmr::vector<std::uint32_t> doubles_;
-    std::array<Ends, color_count + 1> ends_ = {};
-};
 
 /// Rows that a pass fills: nothing is written to them before.
 template <class Row>

@@ -29,6 +29,7 @@ void give_color(std::uint32_t slot, ContactStore& contacts, BodyStore& bodies)
     std::uint32_t& mask_a = bodies.records[contact.body_a].color_mask;
     std::uint32_t& mask_b = bodies.records[contact.body_b].color_mask;
     contact.color = pick_color(is_dynamic_a, is_dynamic_b, (is_dynamic_a ? mask_a : 0) | (is_dynamic_b ? mask_b : 0));
+    contacts.refresh_bucket(slot);
     if (contact.color == overflow_color) return;
     if (is_dynamic_a) mask_a |= std::uint32_t{1} << contact.color;
     if (is_dynamic_b) mask_b |= std::uint32_t{1} << contact.color;
@@ -45,28 +46,23 @@ void take_color(std::uint32_t slot, ContactStore& contacts, BodyStore& bodies)
         if (bodies.is_dynamic(contact.body_b)) bodies.records[contact.body_b].color_mask &= keep;
     }
     contact.color = no_color;
+    contacts.refresh_bucket(slot);
 }
 
-/// Sorted by counting.
-ColorLists::ColorLists(const ContactStore& store, std::pmr::memory_resource& memory) : contacts_(&memory)
+/// Sorted by counting, without a branch: what has no bucket comes last.
+ColorLists::ColorLists(const ContactStore& store, std::pmr::memory_resource& memory) : contacts_(store.awake.size(), &memory)
 {
-    std::pmr::vector<std::uint32_t> candidates(&memory);
-    candidates.reserve(store.awake.size());
+    for (const AwakeState state : store.awake_states) ++begin_[state.bucket + std::size_t{1}];
+    for (std::size_t bucket = 0; bucket <= bucket_count; ++bucket) begin_[bucket + 1] += begin_[bucket];
+    std::array<std::uint32_t, bucket_count + 2> next = begin_;
     for (std::size_t place = 0; place < store.awake.size(); ++place)
-        if (!store.awake_pairs[place].is_idle) candidates.push_back(store.awake[place]);
-    for (const std::uint32_t contact : candidates)
-        if (const std::uint8_t color = store.contacts[contact].color; color != no_color) ++begin_[color + std::size_t{1}];
-    for (std::size_t color = 0; color < color_count; ++color) begin_[color + 1] += begin_[color];
-    contacts_.resize(begin_[color_count]);
-    std::array<std::uint32_t, color_count + 1> next = begin_;
-    for (const std::uint32_t contact : candidates)
-        if (const std::uint8_t color = store.contacts[contact].color; color != no_color) contacts_[next[color]++] = contact;
+        contacts_[next[store.awake_states[place].bucket]++] = store.awake[place];
 }
 
-std::span<const std::uint32_t> ColorLists::list(int color) const
+std::span<const std::uint32_t> ColorLists::part(int color, std::size_t from, std::size_t to) const
 {
-    const auto at = static_cast<std::size_t>(color);
-    return std::span(contacts_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
+    const std::size_t bucket = 2 * static_cast<std::size_t>(color);
+    return std::span(contacts_).subspan(begin_[bucket + from], begin_[bucket + to] - begin_[bucket + from]);
 }
 
 int ColorLists::used_colors() const

@@ -24,19 +24,25 @@ void give_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies
 /// Does nothing to a contact without a colour.
 void take_color(std::uint32_t contact, ContactStore& contacts, BodyStore& bodies);
 
-/// The contacts of a step, colour by colour, each list in the order of the store's own list.
+static_assert(2 * color_count == bucket_count);
+
+/// The contacts of a step, colour by colour: those of one point and then those of two, both in the order of the store's own list.
 class ColorLists
 {
 public:
     /// Contacts that are awake and have a colour.
     ColorLists(const ContactStore& contacts, std::pmr::memory_resource& memory);
 
-    std::span<const std::uint32_t> list(int color) const;
+    std::span<const std::uint32_t> list(int color) const { return part(color, 0, 2); }
+    std::span<const std::uint32_t> singles(int color) const { return part(color, 0, 1); }
+    std::span<const std::uint32_t> doubles(int color) const { return part(color, 1, 2); }
     int used_colors() const; ///< without the overflow
-    std::size_t size() const { return contacts_.size(); }
+    std::size_t size() const { return begin_[bucket_count]; }
 
 private:
-    std::array<std::uint32_t, color_count + 1> begin_ = {};
+    std::span<const std::uint32_t> part(int color, std::size_t from, std::size_t to) const;
+
+    std::array<std::uint32_t, bucket_count + 2> begin_ = {}; ///< of each bucket, of what has none, and the end
     std::pmr::vector<std::uint32_t> contacts_;
 };
 
