@@ -102,6 +102,17 @@ void scatter_eight(const LaneRecords<F, float>& records, std::size_t first, cons
     scatter_columns(records, first, lanes);
 }
 
+/// One float for each index.
+template <class F>
+F gather_floats(const float* floats, const LaneIndices<F>& indices)
+{
+    float lanes[static_cast<std::size_t>(lane_width<F>)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i) lanes[i] = floats[indices[i]];
+    F wide;
+    __builtin_memcpy(&wide, lanes, sizeof wide);
+    return wide;
+}
+
 /// The index where the mask is set, else 0.
 inline LaneIndices<float> indices_where(bool mask, const LaneIndices<float>& indices) { return {{mask ? indices.at[0] : 0}}; }
 

@@ -143,6 +143,11 @@ void store_octet(float* const* records, std::size_t first, const Octet<Tag>& col
 
 #if !defined(__AVX512F__)
 
+inline Lanes<8> gather_floats(const float* floats, const LaneIndices<Lanes<8>>& indices)
+{
+    return _mm256_i32gather_ps(floats, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(indices.at)), 4);
+}
+
 inline FourLanes<Lanes<8>> gather_four(const LaneRecords<Lanes<8>, const float>& records, std::size_t first)
 {
     const EightQuads<Lanes<8>> q = load_quads<Lanes<8>>(records.at, first);
@@ -178,6 +183,11 @@ inline void scatter_eight(const LaneRecords<Lanes<8>, float>& records, std::size
 inline Lanes<16> joined(__m256 low, __m256 high) { return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1); }
 inline __m256 low_of(Lanes<16> lanes) { return _mm512_castps512_ps256(lanes.v); }
 inline __m256 high_of(Lanes<16> lanes) { return _mm512_extractf32x8_ps(lanes.v, 1); }
+
+inline Lanes<16> gather_floats(const float* floats, const LaneIndices<Lanes<16>>& indices)
+{
+    return _mm512_i32gather_ps(_mm512_loadu_si512(indices.at), floats, 4);
+}
 
 inline FourLanes<Lanes<16>> gather_four(const LaneRecords<Lanes<16>, const float>& records, std::size_t first)
 {

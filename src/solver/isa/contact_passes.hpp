@@ -60,16 +60,34 @@ struct ResultTarget
 /// Writes the results of rows. Bodies of contacts that are still coming up are marked as settling.
 using StorePass = void (*)(const void* rows, std::size_t count, const ResultTarget& target);
 
+/// A row with restitution, and what tells in each round of bounces whether it must be looked at: rows themselves lie far apart.
+template <class F>
+struct BouncyRow
+{
+    BodyIndices<F> pushed_a; ///< as in the row where there is restitution, else 0
+    BodyIndices<F> pushed_b;
+    std::uint32_t row;
+    bool may_bounce;
+};
+
+/// Lists the rows with restitution from `begin` to before `end`.
+/// @param bouncy room for as many BouncyRow<F>
+/// @return how many there are
+using BouncyPass = std::size_t (*)(const void* rows, std::size_t begin, std::size_t end, void* bouncy);
+
 /// What a round of bounces knows besides.
 struct BounceRound
 {
-    const float* falls;    ///< by motion index, 4 floats: acceleration by gravity and forces [m/s^2], set back by continuous collision [m]
-    std::uint32_t* struck; ///< by motion index: the last round, from 1, in which the body was struck
-    std::uint32_t round;
+    const float* falls; ///< by motion index, fall_floats each
+    float* struck;      ///< by motion index: the last round, from 1, in which the body was struck
+    float round;
 };
 
+/// Acceleration by gravity and forces along x and y [m/s^2], and what continuous collision has set back [m].
+inline constexpr std::size_t fall_floats = 4;
+
 /// @return whether anything bounced
-using BouncePass = bool (*)(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants,
+using BouncePass = bool (*)(void* rows, const void* bouncy, std::size_t count, float* motions, const PassConstants<float>& constants,
                             const BounceRound& round);
 
 /// Of rows with as many points as one another.
@@ -79,6 +97,7 @@ struct ContactPasses
     ContactPass warm_start;
     ContactPass solve;
     ContactPass relax;
+    BouncyPass list_bouncy;
     BouncePass bounce;
     StorePass store;
 };

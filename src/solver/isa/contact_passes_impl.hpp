@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/isa/contact_passes.hpp"
+#include "solver/kernels/bounce.hpp"
 
 namespace carom::detail
 {
@@ -129,41 +130,52 @@ template <class F, int N>
 template <class F, int N>
 FreeFall<F> free_fall_of(const ContactRow<F, N>& row, const float* falls)
 {
-    const auto difference = [&](std::size_t component)
+    const FourLanes<F> a = gather_four(records_of<F>(falls, fall_floats, row.body_a), 0);
+    const FourLanes<F> b = gather_four(records_of<F>(falls, fall_floats, row.body_b), 0);
+    return {dot(LaneVec<F>{b.f0 - a.f0, b.f1 - a.f1}, row.n), dot(LaneVec<F>{b.f2 - a.f2, b.f3 - a.f3}, row.n)};
+}
+
+template <class F, int N>
+[[gnu::flatten]] std::size_t list_bouncy_rows(const void* rows, std::size_t begin, std::size_t end, void* list)
+{
+    std::size_t count = 0;
+    for (std::size_t r = begin; r < end; ++r)
     {
-        float lanes[static_cast<std::size_t>(lane_width<F>)];
-        for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i)
-            lanes[i] = falls[4 * row.body_b[i] + component] - falls[4 * row.body_a[i] + component];
-        F wide;
-        __builtin_memcpy(&wide, lanes, sizeof wide);
-        return wide;
-    };
-    return {dot(LaneVec<F>{difference(0), difference(1)}, row.n), dot(LaneVec<F>{difference(2), difference(3)}, row.n)};
+        const ContactRow<F, N>& row = static_cast<const ContactRow<F, N>*>(rows)[r];
+        const auto has_restitution = row.restitution > F(0);
+        if (!any(has_restitution)) continue;
+        BouncyRow<F>& bouncy = static_cast<BouncyRow<F>*>(list)[count++];
+        bouncy.pushed_a = indices_where(has_restitution, row.pushed_a);
+        bouncy.pushed_b = indices_where(has_restitution, row.pushed_b);
+        bouncy.row = static_cast<std::uint32_t>(r);
+        bouncy.may_bounce = row.may_bounce;
+    }
+    return count;
 }
 
 /// After the first round only rows whose bodies have been struck since their last visit can bounce.
-template <class F, int N>
-bool may_bounce_now(const ContactRow<F, N>& row, const BounceRound& now)
+template <class F>
+bool may_bounce_now(const BouncyRow<F>& bouncy, const BounceRound& now)
 {
-    if (now.round == 1 && row.may_bounce) return true;
-    const auto is_struck = [&](std::uint32_t body) { return body != 0 && now.struck[body] > 0 && now.struck[body] + 1 >= now.round; };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i)
-        if (is_struck(row.pushed_a[i]) || is_struck(row.pushed_b[i])) return true;
-    return false;
+    if (now.round == 1 && bouncy.may_bounce) return true;
+    const F before(now.round > 1 ? now.round - 1.5f : 0.5f);
+    return any(gather_floats(now.struck, bouncy.pushed_a) > before) || any(gather_floats(now.struck, bouncy.pushed_b) > before);
 }
 
 template <class F, int N>
-[[gnu::flatten]] bool bounce_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>& constants,
+[[gnu::flatten]] bool bounce_rows(void* rows, const void* list, std::size_t count, float* motions, const PassConstants<float>& constants,
                                   const BounceRound& now)
 {
     const PassConstants<F> k = widened<F>(constants);
     bool any = false;
-    for (std::size_t r = begin; r < end; ++r)
+    for (std::size_t c = 0; c < count; ++c)
     {
-        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[r];
-        if (!may_bounce_now(row, now)) continue;
+        const BouncyRow<F>& bouncy = static_cast<const BouncyRow<F>*>(list)[c];
+        if (!may_bounce_now(bouncy, now)) continue;
+        ContactRow<F, N>& row = static_cast<ContactRow<F, N>*>(rows)[bouncy.row];
         BodyLanes<F> a = gather(motions, row.body_a);
         BodyLanes<F> b = gather(motions, row.body_b);
+        if (!any_bounces(row, k, a, b)) continue;
         const F bounced = bounce(row, k, a, b, free_fall_of(row, now.falls));
         BodyIndices<F> to_a = {};
         BodyIndices<F> to_b = {};
@@ -171,25 +183,16 @@ template <class F, int N>
         {
             const auto at = static_cast<std::size_t>(i);
             if (!(lane(bounced, i) > 0)) continue;
-            now.struck[to_a[at] = row.pushed_a[at]] = now.round;
-            now.struck[to_b[at] = row.pushed_b[at]] = now.round;
+            to_a[at] = row.pushed_a[at];
+            to_b[at] = row.pushed_b[at];
+            if (to_a[at] != 0) now.struck[to_a[at]] = now.round;
+            if (to_b[at] != 0) now.struck[to_b[at]] = now.round;
             any = true;
         }
         scatter(motions, to_a, a);
         scatter(motions, to_b, b);
     }
     return any;
-}
-
-/// One float for each index.
-template <class F>
-F gather_floats(const float* floats, const LaneIndices<F>& indices)
-{
-    float lanes[static_cast<std::size_t>(lane_width<F>)];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(lane_width<F>); ++i) lanes[i] = floats[indices[i]];
-    F wide;
-    __builtin_memcpy(&wide, lanes, sizeof wide);
-    return wide;
 }
 
 /// Where the lanes of a row are written to.
@@ -228,7 +231,7 @@ template <class F, int N>
         const ContactRow<F, N>& row = static_cast<const ContactRow<F, N>*>(rows)[r];
         const TargetRecords<F> records = targets_of(row, target, nowhere);
         store_points(row, records.manifolds, records.results);
-        const F are_calm = gather_floats<F>(target.is_calm, row.pushed_a) * gather_floats<F>(target.is_calm, row.pushed_b);
+        const F are_calm = gather_floats(target.is_calm, row.pushed_a) * gather_floats(target.is_calm, row.pushed_b);
         const F settles = store_load(row, records.manifolds, are_calm, k);
         if (!any(settles > F(0))) continue;
         for (int i = 0; i < lane_width<F>; ++i)
@@ -243,7 +246,7 @@ template <class F, int N>
 }
 
 template <class F, int N>
-inline constexpr ContactPasses contact_passes = {&fill_rows<F, N>,  &warm_start_rows<F, N>, &solve_rows<F, N>,
-                                                 &relax_rows<F, N>, &bounce_rows<F, N>,     &store_rows<F, N>};
+inline constexpr ContactPasses contact_passes = {&fill_rows<F, N>,        &warm_start_rows<F, N>, &solve_rows<F, N>, &relax_rows<F, N>,
+                                                 &list_bouncy_rows<F, N>, &bounce_rows<F, N>,     &store_rows<F, N>};
 
 } // namespace carom::detail

@@ -1,6 +1,8 @@
 // What each kernel must keep: momentum, angular momentum, the friction cone, unilateral pushing.
 #include "solver/kernels/contact_row.hpp"
 
+#include "solver/kernels/bounce.hpp"
+
 #include <carom/math.hpp>
 
 #include <gtest/gtest.h>

@@ -26,6 +26,15 @@ struct ColorRange
     std::size_t end_double;
 };
 
+/// The rows of one colour and one number of points that can bounce.
+struct BouncyRange
+{
+    BouncePass pass;
+    void* rows;
+    std::size_t first; ///< in the list of bouncy rows
+    std::size_t count;
+};
+
 /// One lane of a row, as a row of one lane. Rows of every width hold the same members in the same order, each of 4 bytes a lane, and then a flag.
 template <class F, int N>
 ContactRow<float, N> lane_of(const ContactRow<F, N>& row, int i)
@@ -54,8 +63,8 @@ public:
           double_(memory),
           memory_(memory),
           ranges_(&memory),
-          struck_(&memory),
-          falls_(&memory)
+          bouncy_(memory),
+          bouncy_ranges_(&memory)
     {
     }
 
@@ -73,6 +82,7 @@ private:
     void run(ContactPass single, ContactPass pairs, std::span<BodyMotion> motions);
     template <class Action>
     void for_each_contact(Action&& action) const;
+    void list_bouncy_rows();
     void make_room_for_rows(const ColorLists& colors);
     void build_color(const ColorLists& colors, int color, const RowSource& source);
     template <class Row>
@@ -83,8 +93,8 @@ private:
     RowList<ContactRow<F, 2>> double_;
     std::pmr::memory_resource& memory_;
     std::pmr::vector<ColorRange> ranges_;
-    std::pmr::vector<std::uint32_t> struck_;       ///< see BounceRound
-    std::pmr::vector<std::array<float, 4>> falls_; ///< see BounceRound
+    RowList<BouncyRow<F>> bouncy_;
+    std::pmr::vector<BouncyRange> bouncy_ranges_;
     PassConstants<float> constants_ = {};
     float carry_share_ = 0;
     float calm_share_ = 0;
@@ -169,29 +179,45 @@ void WideContactSolver<F>::run(ContactPass single, ContactPass pairs, std::span<
     }
 }
 
+/// Lists the rows that can ever bounce, in the order of the passes.
+template <class F>
+void WideContactSolver<F>::list_bouncy_rows()
+{
+    bouncy_.renew(single_.size() + double_.size());
+    bouncy_ranges_.clear();
+    bouncy_ranges_.reserve(2 * ranges_.size());
+    const auto list = [&](const ContactPasses& passes, void* rows, std::size_t begin, std::size_t end)
+    {
+        const std::size_t first = bouncy_.size();
+        bouncy_.add(passes.list_bouncy(rows, begin, end, bouncy_.end()));
+        if (bouncy_.size() > first) bouncy_ranges_.push_back({passes.bounce, rows, first, bouncy_.size() - first});
+    };
+    for (const ColorRange& range : ranges_)
+    {
+        list(passes_.single, single_.data(), range.first_single, range.end_single);
+        list(passes_.pairs, double_.data(), range.first_double, range.end_double);
+    }
+}
+
 /// An impact goes on from pair to pair.
 template <class F>
 void WideContactSolver<F>::bounce(std::span<BodyMotion> motions, std::span<const BodyWatch> watches, std::span<const Vec2> accelerations)
 {
     if (!any_bounces_) return;
-    constexpr std::uint32_t most_rounds = 16; // the passes take what is left then
-    struck_.assign(motions.size(), 0);
-    falls_.clear();
-    falls_.reserve(motions.size());
+    constexpr int most_rounds = 16; // the passes take what is left then
+    list_bouncy_rows();
+    std::pmr::vector<float> struck(motions.size(), 0.0f, &memory_);
+    std::pmr::vector<std::array<float, fall_floats>> falls(&memory_);
+    falls.reserve(motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i)
-        falls_.push_back({accelerations[i].x, accelerations[i].y, watches[i].set_back.x, watches[i].set_back.y});
+        falls.push_back({accelerations[i].x, accelerations[i].y, watches[i].set_back.x, watches[i].set_back.y});
     bool goes_on = true;
-    for (std::uint32_t round = 1; goes_on && round <= most_rounds; ++round)
+    for (int round = 1; goes_on && round <= most_rounds; ++round)
     {
         goes_on = false;
-        const BounceRound now = {falls_.front().data(), struck_.data(), round};
-        const auto visit = [&](BouncePass pass, void* rows, std::size_t begin, std::size_t end)
-        { goes_on = pass(rows, begin, end, floats_of(motions), constants_, now) || goes_on; };
-        for (const ColorRange& range : ranges_)
-        {
-            visit(passes_.single.bounce, single_.data(), range.first_single, range.end_single);
-            visit(passes_.pairs.bounce, double_.data(), range.first_double, range.end_double);
-        }
+        const BounceRound now = {falls.front().data(), struck.data(), static_cast<float>(round)};
+        for (const BouncyRange& range : bouncy_ranges_)
+            goes_on = range.pass(range.rows, bouncy_.data() + range.first, range.count, floats_of(motions), constants_, now) || goes_on;
     }
 }
 

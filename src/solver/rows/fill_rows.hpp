@@ -83,6 +83,7 @@ public:
         return first;
     }
     Row* data() { return rows_; }
+    Row* end() { return rows_ + size_; }
     std::size_t size() const { return size_; }
     const Row* begin() const { return rows_; }
     const Row* end() const { return rows_ + size_; }
