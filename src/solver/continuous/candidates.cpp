@@ -19,7 +19,7 @@ namespace
 {
 
 /// Looking at so many contacts takes as long as searching the broad phase for one shape.
-constexpr std::size_t contacts_of_a_search = 32;
+constexpr std::size_t contacts_of_a_search = 256;
 
 /// Sums that are taken in another order may come out smaller by less.
 constexpr float rounding_share = 0.9999f;
@@ -108,52 +108,42 @@ void ContinuousCollision::search(std::span<const std::uint32_t> moved, const Sur
     list.finish();
 }
 
-/// The contacts of shapes that have not strayed.
+/// The contacts of fast shapes where neither shape has strayed.
 void ContinuousCollision::walk_contacts(std::span<const std::uint32_t> strayed, const Surroundings& near)
 {
-    std::pmr::vector<std::uint8_t> has_strayed(near.shapes.records.size(), 0, ways_.get_allocator());
-    for (const std::uint32_t shape : strayed) has_strayed[shape] = 1;
-    const auto look_at = [&](const Contact& contact)
-    {
-        if (way_of_shape_[contact.shape_a] == null_index && way_of_shape_[contact.shape_b] == null_index) return;
-        if (has_strayed[contact.shape_a] | has_strayed[contact.shape_b]) return;
-        consider(contact.shape_a, contact.shape_b, near);
-    };
-    // The list of awake ones is in no order of memory.
-    const bool are_most_awake = 2 * near.contacts.awake.size() > near.contacts.contacts.size();
-    if (are_most_awake)
-    {
-        for (const Contact& contact : near.contacts.contacts)
-            if (contact.is_live) look_at(contact);
-    }
-    else
-    {
-        for (const std::uint32_t slot : near.contacts.awake) look_at(near.contacts.contacts[slot]);
-    }
+    constexpr std::uint8_t is_fast = 1;
+    constexpr std::uint8_t has_strayed = 2;
+    std::pmr::vector<std::uint8_t> marks(near.shapes.records.size(), 0, ways_.get_allocator());
+    for (const ShapeWay& way : ways_) marks[way.shape] = is_fast;
+    for (const std::uint32_t shape : strayed) marks[shape] |= has_strayed;
+    for (const AwakePair& pair : near.contacts.awake_pairs) // all contacts of active bodies are among them
+        if ((marks[pair.shape_a] | marks[pair.shape_b]) == is_fast) consider(pair.shape_a, pair.shape_b, near);
 }
 
-/// Makes a candidate of two shapes that may meet. Two that are fast must come within reach of each other, and move by more, as seen from each other, than
-/// counts: without this seek_impact finds nothing, since it asks the same of less reach and a larger way.
+/// Makes a candidate of two shapes that may meet. Only what would come to nothing is held back: seek_impact asks two that are fast for the same with less
+/// reach and a larger way, and takes what is slow and nobody's to carry along for a thing that stands still.
 void ContinuousCollision::consider(std::uint32_t a, std::uint32_t b, const Surroundings& near)
 {
     const std::uint32_t place_a = way_of_shape_[a];
     const std::uint32_t place_b = way_of_shape_[b];
-    if (place_a == null_index && place_b == null_index) return;
     if (place_a != null_index && place_b != null_index)
     {
         const ShapeWay& way_a = ways_[place_a];
         const ShapeWay& way_b = ways_[place_b];
-        if (!overlaps(way_a.bounds, way_b.bounds) || way_a.mover == way_b.mover) return;
-        const bool is_sensor = way_a.is_sensor || way_b.is_sensor;
+        if (way_a.mover == way_b.mover) return;
+        const bool is_sensor = way_a.is_sensor | way_b.is_sensor;
         const float least_way = rounding_share * std::min(way_a.least_way, way_b.least_way);
-        if (!is_sensor && !may_pass_through(way_a.path, way_b.path, least_way, 0, near.shapes.tolerances.linear_slop)) return;
+        if (!is_sensor && moves_less(way_a.path, way_b.path, least_way)) return;
+        if (!overlaps(way_a.bounds, way_b.bounds)) return;
+        if (!is_sensor && !come_near(way_a.path, way_b.path, 0, near.shapes.tolerances.linear_slop)) return;
         candidates_.push_back(a < b ? Candidate{place_a, b} : Candidate{place_b, a});
         return;
     }
-    const bool is_a_fast = place_a != null_index;
-    const ShapeWay& way = ways_[is_a_fast ? place_a : place_b];
-    const std::uint32_t other = is_a_fast ? b : a;
-    if (overlaps(way.bounds, near.shapes.bounds[other].fat)) candidates_.push_back({is_a_fast ? place_a : place_b, other});
+    if (place_a == null_index && place_b == null_index) return;
+    const std::uint32_t place = place_a != null_index ? place_a : place_b;
+    const std::uint32_t other = place_a != null_index ? b : a;
+    const ShapeBounds& bounds = near.shapes.bounds[other];
+    if (overlaps(ways_[place].bounds, has_carriers_ ? bounds.fat : bounds.tight)) candidates_.push_back({place, other});
 }
 
 ContinuousCollision::PairKey ContinuousCollision::key_of(std::uint32_t way, std::uint32_t other) const

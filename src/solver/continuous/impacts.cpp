@@ -139,13 +139,15 @@ void ContinuousCollision::seek_impact(const Pair& pair, float after, const Surro
     const Geometry& geometry = near.shapes.geometry[shape];
     const ConvexPoints points_b = convex_points(near.shapes.geometry[other]);
     const float apart = distance_apart(tolerances);
-    if (stays_apart(core_of(geometry, first_share * thickness), way_a, points_b, way_b, apart)) return;
-    if (!judge(pair, near).makes_contact) return;
     // What overlaps already is a matter for the contact; but what the contact does not hold must still not come out on the other side.
     std::optional<float> inside;
     for (const float share : {first_share, 0.5f, 0.75f, 0.95f})
     {
-        inside = time_of_impact(core_of(geometry, share * thickness), way_a, points_b, way_b, tolerances.impact_distance, tolerances);
+        if (share < first_share || (inside && share == first_share)) continue;
+        const ConvexPoints core = core_of(geometry, share * thickness);
+        if (stays_apart(core, way_a, points_b, way_b, apart)) return;
+        if (!inside && !judge(pair, near).makes_contact) return;
+        inside = time_of_impact(core, way_a, points_b, way_b, tolerances.impact_distance, tolerances);
         if (!inside || *inside > 0) break;
     }
     if (!inside || *inside <= 0 || may_pass(pair, near)) return;

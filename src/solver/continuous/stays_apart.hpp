@@ -16,7 +16,9 @@ inline float distance_apart(const Tolerances& tolerances) { return tolerances.im
 
 /// Whether some line between the two keeps them apart on their whole ways: along its normal n, from A to B,
 ///   s(t) >= s(0) + min(0, n . way of B past A) - what both swing by turning
-/// Asked along the faces of both, across their relative way, and from middle to middle. Where they stay apart, time_of_impact finds nothing.
+/// and, since the second derivative of a corner's distance along n is at most its arm r times the square of its turn T,
+///   s(t) >= min(s(0), s(1)) - (r_a T_a^2 + r_b T_b^2) / 8.
+/// Where they stay apart, time_of_impact finds nothing.
 /// @param least distance of the surfaces that counts as apart [m]
 bool stays_apart(const ConvexPoints& a, const Sweep& way_a, const ConvexPoints& b, const Sweep& way_b, float least);
 

@@ -31,20 +31,31 @@ inline SweptPath path_of(const Extent& shape, const Sweep& sweep)
             std::abs(sweep.turn) * (shape.outer + length(arm))};
 }
 
-/// What costs little and tells most pairs apart: discs around both shapes come within reach of each other, and the two move by more, as seen from
-/// each other, than what the contact can take back.
+/// Whether two shapes move by no more, as seen from each other, than what the contact can take back.
 /// @param least_way relative way that counts [m]
-/// @param slop      Tolerances::linear_slop [m]
-/// @param depth     by which the core of A that would go into B lies below A's surface [m]
-inline bool may_pass_through(const SweptPath& a, const SweptPath& b, float least_way, float depth, float slop)
+inline bool moves_less(const SweptPath& a, const SweptPath& b, float least_way)
+{
+    const float left = least_way - a.swing - b.swing;
+    return left >= 0 && length_squared(b.way - a.way) <= left * left;
+}
+
+/// Whether discs around both shapes come within reach of each other.
+/// @param depth by which the core of A that would go into B lies below A's surface [m]
+/// @param slop  Tolerances::linear_slop [m]
+inline bool come_near(const SweptPath& a, const SweptPath& b, float depth, float slop)
 {
     const Vec2 offset = b.from - a.from;
     const Vec2 way = b.way - a.way;
     const float way2 = length_squared(way);
-    if (std::sqrt(way2) + a.swing + b.swing <= least_way) return false;
     const float nearest = way2 > 0 ? std::clamp(-dot(offset, way) / way2, 0.0f, 1.0f) : 0.0f;
     const float reach = std::max(0.0f, a.reach - depth) + b.reach + slop;
     return !(length_squared(offset + nearest * way) > reach * reach); // also when a number is not finite
+}
+
+/// What costs little and tells most pairs apart.
+inline bool may_pass_through(const SweptPath& a, const SweptPath& b, float least_way, float depth, float slop)
+{
+    return !moves_less(a, b, least_way) && come_near(a, b, depth, slop);
 }
 
 } // namespace carom::detail

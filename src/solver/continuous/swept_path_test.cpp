@@ -84,6 +84,14 @@ TEST(StaysApart, holds_back_nothing_that_meets_and_most_that_slides_along)
     }
     EXPECT_GT(2 * held_back, missed);
 
+    // A box that rolls off another: none of its turns is too large to be told from one that goes in.
+    const ConvexPoints core_of_roller = core_of(box(1, 1), 0.1f);
+    const Sweep rolls = {.local_center = {}, .center_start = {0, 1}, .center_end = {0, 1.2f}, .q_start = {}, .turn = 0.5f};
+    const Sweep tips = {.local_center = {}, .center_start = {0, 1}, .center_end = {0, 1}, .q_start = {}, .turn = 0.5f};
+    const Sweep lies = {.local_center = {}, .center_start = {}, .center_end = {}, .q_start = {}, .turn = 0};
+    EXPECT_TRUE(stays_apart(core_of_roller, rolls, convex_points(box(1, 1)), lies, 0.01f));
+    EXPECT_FALSE(stays_apart(core_of_roller, tips, convex_points(box(1, 1)), lies, 0.01f));
+
     // A box that slides along a floor, however far it goes.
     const ConvexPoints core = core_of(box(1, 1), 0.1f);
     const ConvexPoints floor = convex_points(box(100, 1));
@@ -92,6 +100,30 @@ TEST(StaysApart, holds_back_nothing_that_meets_and_most_that_slides_along)
     EXPECT_TRUE(stays_apart(core, slide, floor, still, 0.01f));
     const Sweep fall = {.local_center = {}, .center_start = {0, 1}, .center_end = {20, 0.8f}, .q_start = {}, .turn = 0};
     EXPECT_FALSE(stays_apart(core, fall, floor, still, 0.01f));
+}
+
+TEST(StaysApart, a_core_whose_faces_have_crossed_is_not_taken_for_apart)
+{
+    RandomShapes random(17);
+    int missed = 0;
+    int held_back = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        const Geometry geometry = random.geometry_of(3, 0.5f);
+        const ConvexPoints a = core_of(geometry, 0.95f * inner_radius(geometry));
+        const ConvexPoints b = convex_points(random.geometry_of(i % 4, 0.5f));
+        Sweep way_a = random_sweep(random);
+        Sweep way_b = random_sweep(random);
+        way_a.center_start = random.point(1), way_b.center_start = random.point(1);
+        way_a.center_end = way_a.center_start + random.point(0.3f), way_b.center_end = way_b.center_start + random.point(0.3f);
+        way_a.turn *= 0.1f, way_b.turn *= 0.1f;
+        const bool is_apart = stays_apart(a, way_a, b, way_b, Tolerances{}.impact_distance + Tolerances{}.linear_slop);
+        const bool meets = time_of_impact(a, way_a, b, way_b, Tolerances{}.impact_distance).has_value();
+        EXPECT_FALSE(is_apart && meets) << i;
+        missed += !meets;
+        held_back += is_apart;
+    }
+    EXPECT_GT(2 * held_back, missed);
 }
 
 TEST(StaysApart, a_disc_that_stays_beyond_a_face_does_not_meet_the_polygon)
