@@ -134,6 +134,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
 {
     if (fast) make_room(fast->bodies, bodies.motions.size());
     if (fast) make_room(fast->strayed_shapes, shapes.records.size());
+    if (fast) fast->displacements.resize(bodies.motions.size());
     make_room(lost, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
@@ -166,6 +167,7 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
         const bool rests = is_at_rest(watch, motion, sweep, dt, sleep_speed) && watch.can_sleep && !watch.is_driven;
         watch.rest_time = rests ? watch.rest_time + dt : 0;
         watch.is_driven = false;
+        if (fast) fast->displacements[i] = {sweep.center_end - sweep.center_start, sweep.turn};
         if (fast && is_fast(sweep, watch, record.type, shapes.tolerances))
         {
             fast->bodies.push_back({motion.slot, sweep});

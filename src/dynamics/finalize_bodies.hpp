@@ -24,12 +24,20 @@ struct FastBody
     Sweep sweep;
 };
 
+/// By how much a body moved in the step.
+struct Displacement
+{
+    Vec2 center;    ///< of its centre of mass [m]
+    float turn = 0; ///< [rad]
+};
+
 /// What the motion of a step leaves for continuous collision to look at.
 struct FastMotion
 {
-    explicit FastMotion(std::pmr::memory_resource& memory) : bodies(&memory), strayed_shapes(&memory) {}
+    explicit FastMotion(std::pmr::memory_resource& memory) : bodies(&memory), displacements(&memory), strayed_shapes(&memory) {}
 
     std::pmr::vector<FastBody> bodies;
+    std::pmr::vector<Displacement> displacements; ///< by motion index
     /// Shapes, of fast bodies or not, that have left the fat bounds of the last search for pairs. All others are near only those that they
     /// have contacts with.
     std::pmr::vector<std::uint32_t> strayed_shapes;

@@ -8,6 +8,7 @@
 #include "solver/continuous/stays_apart.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <variant>
@@ -120,8 +121,8 @@ void ContinuousCollision::walk_contacts(std::span<const std::uint32_t> strayed, 
         if ((marks[pair.shape_a] | marks[pair.shape_b]) == is_fast) consider(pair.shape_a, pair.shape_b, near);
 }
 
-/// Makes a candidate of two shapes that may meet. Only what would come to nothing is held back: seek_impact asks two that are fast for the same with less
-/// reach and a larger way, and takes what is slow and nobody's to carry along for a thing that stands still.
+/// Makes a candidate of two shapes that may meet. But for what moves along, only what would come to nothing is held back: seek_impact asks two that are
+/// fast for the same with less reach and a larger way, and takes what is slow and nobody's to carry along for a thing that stands still.
 void ContinuousCollision::consider(std::uint32_t a, std::uint32_t b, const Surroundings& near)
 {
     const std::uint32_t place_a = way_of_shape_[a];
@@ -142,8 +143,28 @@ void ContinuousCollision::consider(std::uint32_t a, std::uint32_t b, const Surro
     if (place_a == null_index && place_b == null_index) return;
     const std::uint32_t place = place_a != null_index ? place_a : place_b;
     const std::uint32_t other = place_a != null_index ? b : a;
+    const ShapeWay& way = ways_[place];
     const ShapeBounds& bounds = near.shapes.bounds[other];
-    if (overlaps(ways_[place].bounds, has_carriers_ ? bounds.fat : bounds.tight)) candidates_.push_back({place, other});
+    if (!overlaps(way.bounds, has_carriers_ ? bounds.fat : bounds.tight) || moves_along(way, other, near)) return;
+    candidates_.push_back({place, other});
+}
+
+/// Whether a fast shape A moves no farther, as seen from a slow one B, than what their contact can take back. Seen from B, a point u of A moves by
+///   d_a + T_a x (u - c_a) - d_b - T_b x (u - c_b) = D + (T_a - T_b) x (u - m)
+/// with D at the middle m of A. What rides in a drum hardly moves against its wall.
+bool ContinuousCollision::moves_along(const ShapeWay& way, std::uint32_t other, const Surroundings& near) const
+{
+    const ShapeRecord& record = near.shapes.records[other];
+    if (way.is_sensor || record.is_sensor) return false;
+    const Sweep& sweep = movers_[way.mover].whole_way;
+    const Displacement& slow = near.displacements[near.bodies.motion_index[record.body]];
+    const Vec2 slow_center = near.bodies.poses[record.body].center - slow.center;
+    const Vec2 middle_way =
+        way.path.way + cross(sweep.turn, way.path.from - sweep.center_start) - slow.center - cross(slow.turn, way.path.from - slow_center);
+    const float inner = near.shapes.extents[other].inner;
+    const float least_way = inner > 0 ? std::min(way.least_way, fast_way(inner, near.shapes.tolerances)) : way.least_way;
+    const float left = least_way - std::abs(sweep.turn - slow.turn) * way.path.reach;
+    return left > 0 && length_squared(middle_way) <= left * left;
 }
 
 ContinuousCollision::PairKey ContinuousCollision::key_of(std::uint32_t way, std::uint32_t other) const

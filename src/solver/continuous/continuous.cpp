@@ -35,14 +35,13 @@ ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& scratch)
 {
 }
 
-void ContinuousCollision::run(std::span<const FastBody> fast, std::span<const std::uint32_t> strayed, BodyStore& bodies, ShapeStore& shapes,
-                              const JointStore& joints, const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase,
-                              float dt, float way_ahead)
+void ContinuousCollision::run(const FastMotion& fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints,
+                              const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead)
 {
-    if (fast.empty()) return;
-    const Surroundings near = {bodies, shapes, joints, contacts, rules, dt};
-    add_movers(fast, near);
-    find_candidates(strayed, near, broad_phase);
+    if (fast.bodies.empty()) return;
+    const Surroundings near = {bodies, shapes, joints, contacts, rules, fast.displacements, dt};
+    add_movers(fast.bodies, near);
+    find_candidates(fast.strayed_shapes, near, broad_phase);
     judge_candidates(near);
     resolve_impacts(near, broad_phase);
     place_bodies(bodies, shapes, broad_phase, way_ahead);

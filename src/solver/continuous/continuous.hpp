@@ -2,7 +2,8 @@
 //
 // The solver lets bodies move first; then the few that moved more than half their size in the step are looked at again, along their way. Those that
 // would have gone through another body are set back to the moment of touch, with the velocity that they have; in the next step the touch is an
-// ordinary contact. Two fast bodies that meet go on by what their ways have in common: a crowd that flows goes on flowing. A body that a moving
+// ordinary contact. A pair that moves by less than that, as seen from each other, is left to its contact: what rides in a drum hardly moves against
+// its wall. Two fast bodies that meet go on by what their ways have in common: a crowd that flows goes on flowing. A body that a moving
 // kinematic one would have passed through is carried along by it from then on; so is a free body by one that joints hold, which would tear at them
 // if it were stopped.
 //
@@ -51,14 +52,12 @@ public:
     explicit ContinuousCollision(std::pmr::memory_resource& scratch);
 
     /// To be called once.
-    /// @param fast    as finalize_bodies found them; the fat bounds of their shapes hold the whole way, and are ordinary ones after
-    /// @param strayed shapes that may be near others that they have no contact with (FastMotion::strayed_shapes)
+    /// @param fast    as finalize_bodies left it; the fat bounds of fast shapes hold the whole way, and are ordinary ones after
     /// @param contacts, rules who passes whom: through a one-sided segment, or because a hook says so
     /// @param dt    of the step [s]
     /// @param way_ahead the way that fat bounds reach ahead, in steps [s]
-    void run(std::span<const FastBody> fast, std::span<const std::uint32_t> strayed, BodyStore& bodies, ShapeStore& shapes,
-             const JointStore& joints, const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt,
-             float way_ahead);
+    void run(const FastMotion& fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints, const ContactStore& contacts,
+             const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead);
 
     std::span<const Crossing> crossings() const { return crossings_; }
 
@@ -139,7 +138,8 @@ private:
         const JointStore& joints;
         const ContactStore& contacts;
         const ContactRules& rules;
-        float dt; ///< of the step [s]
+        std::span<const Displacement> displacements; ///< by motion index
+        float dt;                                    ///< of the step [s]
     };
 
     class NearFast;
@@ -151,6 +151,7 @@ private:
     void search(std::span<const std::uint32_t> moved, const Surroundings& near, BroadPhase& broad_phase);
     void walk_contacts(std::span<const std::uint32_t> strayed, const Surroundings& near);
     void consider(std::uint32_t a, std::uint32_t b, const Surroundings& near);
+    bool moves_along(const ShapeWay& way, std::uint32_t other, const Surroundings& near) const;
     void find_carried(const Surroundings& near);
     bool may_meet(const ShapeWay& way, const Pair& pair, const Surroundings& near) const;
     void judge_candidates(const Surroundings& near);

@@ -43,24 +43,33 @@ protected:
         ShapeBounds& bounds = scene.shapes.bounds[body];
         bounds.fat = expanded(merge(bounds_of(geometry, {from, {}}), bounds.tight), 0.01f);
         broad_phase->update(body, bounds.fat);
-        fast.push_back({body, {{}, from, to, {}, 0}});
-        strayed.push_back(body);
+        fast.bodies.push_back({body, {{}, from, to, {}, 0}});
+        fast.strayed_shapes.push_back(body);
+        displace(body, {to - from, 0});
         return body;
     }
-    void run(ContinuousCollision& collision, std::span<const FastBody> bodies)
+    void displace(std::uint32_t body, const Displacement& displacement)
     {
-        collision.run(bodies, strayed, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+        fast.displacements.resize(scene.bodies.motions.size());
+        fast.displacements[scene.bodies.motion_index[body]] = displacement;
     }
-    void run() { run(continuous, fast); }
+    /// Runs what was made to fly last.
+    /// @param first how many were made before
+    std::vector<Crossing> run(std::size_t first = 0)
+    {
+        fast.bodies.erase(fast.bodies.begin(), fast.bodies.begin() + static_cast<std::ptrdiff_t>(first));
+        fast.displacements.resize(scene.bodies.motions.size());
+        ContinuousCollision continuous{scene.memory};
+        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+        return {continuous.crossings().begin(), continuous.crossings().end()};
+    }
     Vec2 place(std::uint32_t body) const { return scene.bodies.poses[body].center; }
 
     SmallScene scene;
     BroadPhasePtr broad_phase = make_broad_phase(BroadPhaseType::BruteForce, {}, scene.memory);
     JointStore joints{scene.memory};
     ContactRules rules;
-    std::vector<FastBody> fast;
-    std::vector<std::uint32_t> strayed;
-    ContinuousCollision continuous{scene.memory};
+    FastMotion fast{scene.memory};
 };
 
 TEST_F(ContinuousTest, a_fast_body_stands_where_it_first_touches_a_wall_and_keeps_its_velocity)
@@ -102,9 +111,7 @@ TEST_F(ContinuousTest, a_one_sided_segment_stops_only_what_comes_from_its_front)
         scene.shapes.records[wall].is_one_sided = true; // solid on the right of the way: downwards, that is the left side
         const float y = from_front ? 0.0f : 20.0f;
         const std::uint32_t ball = flying(circle(0.1f), {0, y}, {10, y});
-        fast = {fast.back()};
-        ContinuousCollision once{scene.memory};
-        run(once, fast);
+        run(fast.bodies.size() - 1);
         EXPECT_NEAR(place(ball).x, from_front ? 4.9f : 10.0f, 0.005f) << from_front;
     }
 }
@@ -127,6 +134,34 @@ TEST_F(ContinuousTest, one_that_catches_up_goes_on_as_far_as_both_do)
     EXPECT_NEAR(place(a).x, 6.8f, 0.02f);
 }
 
+TEST_F(ContinuousTest, what_moves_along_with_a_slow_body_is_left_to_their_contact)
+{
+    for (const float way_of_crate : {0.0f, 0.2f})
+    {
+        const float y = 10 * way_of_crate;
+        const std::uint32_t crate = add({.position = {0.95f, y}}, box(1, 1));
+        displace(crate, {{way_of_crate, 0}, 0});
+        const std::uint32_t ball = flying(circle(0.5f), {0, y}, {0.4f, y});
+        run(fast.bodies.size() - 1);
+        EXPECT_EQ(place(ball).x == 0.4f, way_of_crate > 0) << "0.4 m is more than half its radius, 0.2 m is not";
+    }
+}
+
+TEST_F(ContinuousTest, what_rides_on_a_slow_body_that_turns_is_left_to_their_contact)
+{
+    constexpr float turn = 0.05f;
+    for (const float turn_of_wheel : {0.0f, turn})
+    {
+        const float y = 1000 * turn_of_wheel;
+        const std::uint32_t wheel = add({.type = BodyType::Kinematic, .position = {0, y}, .angle = turn}, box(20, 1));
+        displace(wheel, {{}, turn_of_wheel});
+        const auto on_wheel = [&](float angle) { return Vec2{0, y} + rotate(rotation(angle), {-8, 0.8f}); };
+        const std::uint32_t ball = flying(circle(0.5f), on_wheel(0), on_wheel(turn)); // by 0.4 m, downwards
+        run(fast.bodies.size() - 1);
+        EXPECT_EQ(place(ball) == on_wheel(turn), turn_of_wheel > 0);
+    }
+}
+
 TEST_F(ContinuousTest, a_kinematic_body_takes_along_what_it_meets)
 {
     const std::uint32_t ram = flying(box(0.4f, 2), {0, 0}, {10, 0}, {.type = BodyType::Kinematic});
@@ -141,10 +176,10 @@ TEST_F(ContinuousTest, a_sensor_that_is_crossed_within_the_step_is_told_and_stop
     const std::uint32_t sensor = fixed(box(0.2f, 4), {5, 0}, {.is_sensor = true});
     fixed(box(0.2f, 4), {5, 10}, {.is_sensor = true});
     const std::uint32_t ball = flying(circle(0.1f), {0, 0}, {10, 0});
-    run();
+    const std::vector<Crossing> crossings = run();
     EXPECT_EQ(place(ball), (Vec2{10, 0}));
-    ASSERT_EQ(continuous.crossings().size(), 1u);
-    EXPECT_EQ(continuous.crossings()[0], (Crossing{sensor, ball}));
+    ASSERT_EQ(crossings.size(), 1u);
+    EXPECT_EQ(crossings[0], (Crossing{sensor, ball}));
 }
 
 TEST_F(ContinuousTest, a_sensor_behind_the_wall_that_stops_the_body_is_not_crossed)
@@ -152,8 +187,7 @@ TEST_F(ContinuousTest, a_sensor_behind_the_wall_that_stops_the_body_is_not_cross
     fixed(box(0.2f, 4), {3, 0});
     fixed(box(0.2f, 4), {5, 0}, {.is_sensor = true});
     flying(circle(0.1f), {0, 0}, {10, 0});
-    run();
-    EXPECT_TRUE(continuous.crossings().empty());
+    EXPECT_TRUE(run().empty());
 }
 
 TEST_F(ContinuousTest, a_bullet_is_stopped_at_what_it_hardly_enters_whichever_of_the_two_is_first)
@@ -163,15 +197,13 @@ TEST_F(ContinuousTest, a_bullet_is_stopped_at_what_it_hardly_enters_whichever_of
         const bool is_ball_first = i % 2 == 0;
         const bool is_ball_bullet = i / 2 == 0;
         const float y = 20 * static_cast<float>(i);
-        const std::size_t before = fast.size();
+        const std::size_t before = fast.bodies.size();
         // Seen from the crate, the ball moves by less than half its radius, and would end 1.5 cm deep.
         const auto crate = [&] { return flying(box(1, 1), {0, y}, {1, y}, {.is_bullet = !is_ball_bullet}); };
         const auto ball = [&] { return flying(circle(0.1f), {-0.63f, y}, {-0.63f + 1.045f, y}, {.is_bullet = is_ball_bullet}); };
         const std::uint32_t first = is_ball_first ? ball() : crate();
         const std::uint32_t second = is_ball_first ? crate() : ball();
-        const std::vector<FastBody> both(fast.begin() + static_cast<std::ptrdiff_t>(before), fast.end());
-        ContinuousCollision once{scene.memory};
-        run(once, both);
+        run(before);
         EXPECT_GT(std::abs(place(first).x - place(second).x), 0.599f) << i;
     }
 }
@@ -220,8 +252,7 @@ public:
                 if (std::find(fast.strayed_shapes.begin(), fast.strayed_shapes.end(), shape) == fast.strayed_shapes.end())
                     fast.strayed_shapes.push_back(shape);
         ContinuousCollision continuous{scene.memory};
-        continuous.run(fast.bodies, fast.strayed_shapes, scene.bodies, scene.shapes, joints, scene.contacts, {}, *broad_phase, step_time,
-                       2 * step_time);
+        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, {}, *broad_phase, step_time, 2 * step_time);
         for (const BodyWatch& watch : scene.bodies.watches) set_back += watch.set_back != Vec2{};
     }
 
