@@ -32,12 +32,12 @@ inline constexpr std::array scenes = {
     SceneHash{"newton-cradle", 0x77e4745f76f7ead1},
     SceneHash{"card-house", 0x6cee91470a6ce9d},
     SceneHash{"arch", 0x3707a202a135be0},
-    SceneHash{"joints", 0xdfbb8f58ec7e4fdb},
+    SceneHash{"joints", 0x54a19526fce20b1a},
     SceneHash{"ragdolls", 0xfd76ca67453a6fea},
     SceneHash{"car", 0xb310c5e74628388},
     SceneHash{"mass-ratio", 0xdc30799c9a56cee6},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x1e7e4804faab9281;
+inline constexpr std::uint64_t mixed_world = 0x7001d72a4cfed87a;
 
 } // namespace carom::golden
