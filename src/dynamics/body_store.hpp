@@ -37,7 +37,7 @@ struct alignas(16) BodyMass
 inline bool can_be_pushed(const BodyMass& mass) { return mass.inv_mass != Vec2{} || mass.inv_inertia != 0; }
 
 /// What accelerates and brakes an active body, by motion index.
-struct BodyDrive
+struct alignas(16) BodyDrive
 {
     Vec2 force;                ///< [N]
     float torque = 0;          ///< [N m]

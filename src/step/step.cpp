@@ -114,13 +114,14 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
     const float h = dt / static_cast<float>(substeps);
     BodyStore& bodies = world.bodies;
     JointSolver& joints = world.joint_solver;
+    const BodyPasses& passes = passes_of(world.simd).bodies;
     run(Stage::Restitution, [&] { bounce(world, contacts); });
     for (int i = 0; i < substeps; ++i)
     {
         run(Stage::IntegrateVelocities, i, [&]
         {
             const std::span<const Vec2> fields = fields_at_bodies(world, i == 0);
-            integrate_velocities(bodies.motions, bodies.masses, bodies.drives, world.gravity, fields, h);
+            integrate_velocities(passes, {bodies.motions, bodies.masses, bodies.drives}, world.gravity, fields, h);
         });
         run(Stage::WarmStart, i, [&]
         {
@@ -132,7 +133,7 @@ void solve_substeps(WorldState& world, ContactSolver& contacts, float dt, int su
             joints.solve(bodies.motions);
             contacts.solve(bodies.motions);
         });
-        run(Stage::IntegratePositions, i, [&] { integrate_positions(bodies.motions, h); });
+        run(Stage::IntegratePositions, i, [&] { integrate_positions(passes, bodies.motions, h); });
         run(Stage::Relax, i, [&]
         {
             joints.relax(bodies.motions);

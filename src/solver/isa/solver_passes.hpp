@@ -1,6 +1,7 @@
 // All passes of an instruction set.
 #pragma once
 
+#include "solver/isa/body_passes.hpp"
 #include "solver/isa/contact_passes.hpp"
 #include "solver/isa/joint_passes.hpp"
 
@@ -14,6 +15,7 @@ struct SolverPasses
     ContactPasses single;
     ContactPasses pairs;
     JointPasses joints;
+    BodyPasses bodies;
 };
 
 const SolverPasses& scalar_passes();

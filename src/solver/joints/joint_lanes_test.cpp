@@ -176,7 +176,7 @@ void run(Net& net, Simd simd)
         {
             solver.warm_start(motions);
             solver.solve(motions);
-            integrate_positions(motions, h);
+            integrate_positions(scalar_passes().bodies, motions, h);
             solver.relax(motions);
         }
         solver.conclude(motions);

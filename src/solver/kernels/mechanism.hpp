@@ -13,6 +13,7 @@
 #pragma once
 
 #include "solver/kernels/joint_kernels.hpp"
+#include "solver/kernels/motion_kernels.hpp"
 
 namespace carom::detail
 {
@@ -366,19 +367,6 @@ void find_corrections(const Mechanisms<F, Rows>& m)
             b.w = b.w + row.inv_inertia_b * j.s_b * lambda;
         }
     }
-}
-
-/// The rotation that follows `q` by a small turn, as in integrate.hpp.
-template <class F>
-LaneRot<F> turned_by(const LaneRot<F>& q, const F& turn)
-{
-    const F x = F(0.5f) * turn;
-    const F x2 = x * x;
-    const F t = x + x * x2 * (F(1 / 3.0f) + x2 * F(2 / 15.0f));
-    const F inv = F(1) / (F(1) + t * t);
-    const F c = (F(1) - t * t) * inv;
-    const F s = F(2) * t * inv;
-    return {c * q.c - s * q.s, s * q.c + c * q.s};
 }
 
 /// Moves joints that are far off back into place, and leaves velocities as they are. Where joints contradict each other the equations ask for

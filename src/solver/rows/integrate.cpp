@@ -1,7 +1,8 @@
-// Semi-implicit Euler, substep by substep.
+// Hands bodies to the passes, and those in fields to the kernels one by one.
 #include "solver/rows/integrate.hpp"
 
-#include <algorithm>
+#include "solver/kernels/motion_kernels.hpp"
+#include "solver/rows/body_lanes.hpp"
 
 namespace carom::detail
 {
@@ -9,9 +10,13 @@ namespace carom::detail
 namespace
 {
 
-Vec2 acceleration_of(const BodyMass& mass, const BodyDrive& drive, Vec2 g)
+LaneVec<float> lanes_of(Vec2 v) { return {v.x, v.y}; }
+
+MassLanes<float> lanes_of(const BodyMass& mass) { return {lanes_of(mass.inv_mass), mass.inv_inertia}; }
+
+DriveLanes<float> lanes_of(const BodyDrive& drive)
 {
-    return {drive.gravity_scale.x * g.x + mass.inv_mass.x * drive.force.x, drive.gravity_scale.y * g.y + mass.inv_mass.y * drive.force.y};
+    return {lanes_of(drive.force), drive.torque, lanes_of(drive.gravity_scale), drive.linear_damping, drive.angular_damping};
 }
 
 } // namespace
@@ -20,43 +25,39 @@ void free_accelerations(std::span<const BodyMass> masses, std::span<const BodyDr
                         std::span<Vec2> accelerations)
 {
     for (std::size_t i = 1; i < masses.size(); ++i)
-        accelerations[i] = acceleration_of(masses[i], drives[i], fields.empty() ? gravity : gravity + fields[i]);
+    {
+        const LaneVec<float> a =
+            acceleration_of(lanes_of(masses[i]), lanes_of(drives[i]), lanes_of(fields.empty() ? gravity : gravity + fields[i]));
+        accelerations[i] = {a.x, a.y};
+    }
 }
 
-void integrate_velocities(std::span<BodyMotion> motions, std::span<const BodyMass> masses, std::span<const BodyDrive> drives, Vec2 gravity,
-                          std::span<const Vec2> fields, float h)
+void integrate_velocities(const BodyPasses& passes, const MovingBodies& bodies, Vec2 gravity, std::span<const Vec2> fields, float h)
 {
-    for (std::size_t i = 1; i < motions.size(); ++i)
+    static_assert(sizeof(BodyMass) == 4 * sizeof(float) && sizeof(BodyDrive) == 8 * sizeof(float));
+    if (fields.empty())
+        return passes.integrate_velocities(
+            {floats_of(bodies.motions), &bodies.masses.data()->inv_mass.x, &bodies.drives.data()->force.x, bodies.motions.size()},
+            {gravity.x, gravity.y, h});
+    for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
-        BodyMotion& body = motions[i];
-        const BodyMass& mass = masses[i];
-        const BodyDrive& drive = drives[i];
-        const Vec2 a = acceleration_of(mass, drive, fields.empty() ? gravity : gravity + fields[i]);
-        body.v = (1 / (1 + h * drive.linear_damping)) * (body.v + h * a);
-        body.w = (1 / (1 + h * drive.angular_damping)) * (body.w + h * mass.inv_inertia * drive.torque);
+        BodyMotion& motion = bodies.motions[i];
+        BodyLanes<float> body = {lanes_of(motion.v), motion.w, {}, {}};
+        integrate_velocity(body, lanes_of(bodies.masses[i]), lanes_of(bodies.drives[i]), lanes_of(gravity + fields[i]), h);
+        motion.v = {body.v.x, body.v.y};
+        motion.w = body.w;
     }
 }
 
 Rot turned(Rot q, float turn)
 {
-    // With t = tan(turn / 2), (1 - t^2, 2 t) / (1 + t^2) is the exact rotation, and t = x + x^3 / 3 + 2 x^5 / 15 + ... at x = turn / 2. The
-    // length stays 1 whatever t is, so that a fast spin loses accuracy, never unit length.
-    const float x = 0.5f * turn;
-    const float x2 = x * x;
-    constexpr float half_turn = 1e9f; // t beyond it is a turn by pi already, and its square must not overflow
-    const float t = std::clamp(x + x * x2 * (1 / 3.0f + x2 * (2 / 15.0f)), -half_turn, half_turn);
-    const float inv = 1 / (1 + t * t);
-    return Rot{(1 - t * t) * inv, 2 * t * inv} * q;
+    const LaneRot<float> end = turned_by(LaneRot<float>{q.c, q.s}, turn);
+    return {end.c, end.s};
 }
 
-void integrate_positions(std::span<BodyMotion> motions, float h)
+void integrate_positions(const BodyPasses& passes, std::span<BodyMotion> motions, float h)
 {
-    for (std::size_t i = 1; i < motions.size(); ++i)
-    {
-        BodyMotion& body = motions[i];
-        body.dp += h * body.v;
-        body.dq = turned(body.dq, h * body.w);
-    }
+    passes.integrate_positions(floats_of(motions), motions.size(), h);
 }
 
 } // namespace carom::detail

@@ -1,10 +1,15 @@
 #include "solver/rows/integrate.hpp"
 
+#include "solver/isa/dispatch.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace carom::detail
 {
@@ -40,7 +45,7 @@ TEST(IntegrateVelocities, NeverWritesWhatStandsForTheGround)
     std::array<BodyDrive, 2> drives;
     drives[1].gravity_scale = {1, 1};
     const std::array<Vec2, 2> fields = {Vec2{9, 9}, Vec2{0, 3}};
-    integrate_velocities(motions, masses, drives, {0, -10}, fields, 0.5f);
+    integrate_velocities(scalar_passes().bodies, {motions, masses, drives}, {0, -10}, fields, 0.5f);
     EXPECT_EQ(motions[0].v, Vec2{});
     EXPECT_EQ(motions[1].v, (Vec2{0, -3.5f})) << "gravity and field";
 }
@@ -53,7 +58,7 @@ TEST(IntegrateVelocities, ForcesAndDampingByTheImplicitFormula)
     const std::array<BodyMass, 2> masses = {BodyMass{}, BodyMass{.inv_mass = {0.5f, 0.5f}, .inv_inertia = 0.25f}};
     const std::array<BodyDrive, 2> drives = {
         BodyDrive{}, BodyDrive{.force = {2, 0}, .torque = 4, .gravity_scale = {}, .linear_damping = 1, .angular_damping = 3}};
-    integrate_velocities(motions, masses, drives, {0, -10}, {}, 1);
+    integrate_velocities(scalar_passes().bodies, {motions, masses, drives}, {0, -10}, {}, 1);
     EXPECT_EQ(motions[1].v, (Vec2{2.5f, 0})) << "(4 + 1) / (1 + 1), and no gravity at scale 0";
     EXPECT_FLOAT_EQ(motions[1].w, 0.75f) << "(2 + 1) / (1 + 3)";
 }
@@ -63,11 +68,46 @@ TEST(IntegratePositions, AddsUpTheWay)
     std::array<BodyMotion, 2> motions;
     motions[1].v = {1, -2};
     motions[1].w = 1;
-    for (int i = 0; i < 10; ++i) integrate_positions(motions, 0.1f);
+    for (int i = 0; i < 10; ++i) integrate_positions(scalar_passes().bodies, motions, 0.1f);
     EXPECT_NEAR(motions[1].dp.x, 1, 1e-6);
     EXPECT_NEAR(motions[1].dp.y, -2, 1e-6);
     EXPECT_NEAR(angle(motions[1].dq), 1, 1e-5);
     EXPECT_EQ(motions[0].dq, Rot{});
+}
+
+TEST(IntegrateLanes, GiveTheBitsOfOneLaneForAnyNumberOfBodies)
+{
+    std::mt19937 engine(3);
+    const auto from = [&](float min, float max) { return std::uniform_real_distribution<float>(min, max)(engine); };
+    for (std::size_t count = 1; count < 40; ++count)
+    {
+        std::vector<BodyMotion> motions(count);
+        std::vector<BodyMass> masses(count);
+        std::vector<BodyDrive> drives(count);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            motions[i] = {
+                .v = {from(-9, 9), from(-9, 9)}, .w = from(-90, 90), .dp = {from(-1, 1), from(-1, 1)}, .dq = rotation(from(-1, 1))};
+            motions[i].slot = static_cast<std::uint32_t>(i);
+            masses[i] = {{from(0, 2), from(0, 2)}, from(0, 2)};
+            drives[i] = {{from(-5, 5), from(-5, 5)}, from(-5, 5), {from(0, 2), from(0, 2)}, from(0, 1), from(0, 1)};
+        }
+        const auto moved = [&](Simd simd)
+        {
+            std::vector<BodyMotion> after = motions;
+            const BodyPasses& passes = passes_of(simd).bodies;
+            integrate_velocities(passes, {after, masses, drives}, {1, -10}, {}, 0.01f);
+            integrate_positions(passes, after, 0.01f);
+            return after;
+        };
+        const std::vector<BodyMotion> expected = moved(Simd::Scalar);
+        EXPECT_EQ(std::memcmp(&expected[0], &motions[0], sizeof(BodyMotion)), 0) << "the ground stays";
+        for (const Simd simd : all_simd)
+        {
+            if (!is_available(simd)) continue;
+            EXPECT_EQ(std::memcmp(moved(simd).data(), expected.data(), count * sizeof(BodyMotion)), 0) << count;
+        }
+    }
 }
 
 } // namespace
