@@ -99,10 +99,9 @@ void update_contact(std::size_t place, bool may_have_points, const BodyStore& bo
         collide_pair(slot, bodies, shapes, contacts);
 
     note_state(slot, had_result, shapes.tolerances.linear_slop, contacts);
-    contacts.awake_pairs[place].is_idle = manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
-                                                  contact.neighborhood != Neighborhood::Shared
-                                              ? 1
-                                              : 0;
+    const bool is_idle = manifold.count == 0 && contact.color == no_color && !contact.is_touching && !contact.is_hitting &&
+                         contact.neighborhood != Neighborhood::Shared;
+    contacts.awake_pairs[place].is_idle = is_idle ? 1 : 0;
 }
 
 void note_change(const Contact& contact, const ContactManifold& manifold, std::uint32_t slot, ContactChanges& changes)

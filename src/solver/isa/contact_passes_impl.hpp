@@ -96,7 +96,7 @@ template <class F, int N>
         const std::size_t ahead = begin + fetched_ahead;
         for (std::size_t i = ahead; i < ahead + contacts.lanes && i < contacts.count; ++i) fetch_contact<F>(source, contacts.slots[i]);
         const LaneRecords<F, const float> manifolds = place_contacts(row, contacts.slots + begin, count, source, nothing);
-        const RowBodies<F> bodies = {gather(source.motions, row.body_a), gather(source.motions, row.body_b),
+        const RowBodies<F> bodies = {gather_velocities(source.motions, row.body_a), gather_velocities(source.motions, row.body_b),
                                      gather_four(records_of<F>(source.masses, mass_floats, row.body_a), 0),
                                      gather_four(records_of<F>(source.masses, mass_floats, row.body_b), 0)};
         fill(row, manifolds, bodies, fill_k, k);
@@ -109,7 +109,15 @@ template <class F, int N>
 template <class F, int N>
 [[gnu::flatten]] void warm_start_rows(void* rows, std::size_t begin, std::size_t end, float* motions, const PassConstants<float>&)
 {
-    for_rows<F, N>(rows, begin, end, motions, [](auto& row, auto& a, auto& b) { warm_start(row, a, b); });
+    for (std::size_t i = begin; i < end; ++i)
+    {
+        const ContactRow<F, N>& row = static_cast<const ContactRow<F, N>*>(rows)[i];
+        BodyLanes<F> a = gather_velocities(motions, row.body_a);
+        BodyLanes<F> b = gather_velocities(motions, row.body_b);
+        warm_start(row, a, b);
+        scatter(motions, row.pushed_a, a);
+        scatter(motions, row.pushed_b, b);
+    }
 }
 
 template <class F, int N>

@@ -1,7 +1,7 @@
 // Bodies gathered into wide lanes and scattered back by transposes.
 #pragma once
 
-#include "math/wide_lanes.hpp"
+#include "math/wide_records.hpp"
 #include "solver/kernels/body_lanes.hpp"
 
 namespace carom::detail
@@ -19,6 +19,14 @@ inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<
     const Quad<Lanes<4>> lower = half(0);
     const Quad<Lanes<4>> upper = half(4);
     return {{lower.x, lower.y}, lower.z, {lower.w, upper.x}, {upper.y, upper.z}};
+}
+
+inline BodyLanes<Lanes<4>> gather_velocities(const float* motions, const BodyIndices<Lanes<4>>& indices)
+{
+    const auto body = [&](std::size_t i) { return _mm_loadu_ps(motions + motion_floats * indices[i]); };
+    const Quad<Lanes<4>> q = transposed<Lanes<4>>({body(0), body(1), body(2), body(3)});
+    const Lanes<4> none(0.0f);
+    return {{q.x, q.y}, q.z, {q.w, none}, {none, none}};
 }
 
 /// The way along x, which no kernel changes, is written back beside the velocities.
@@ -60,12 +68,23 @@ inline BodyLanes<Lanes<4>> gather(const float* motions, const BodyIndices<Lanes<
 
 #if defined(__AVX2__)
 
+/// The first four floats of eight bodies.
+template <class Tag>
+EightQuads<Tag> gather_quads(const float* motions, const std::uint32_t* indices)
+{
+    const auto both = [&](std::size_t i)
+    {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(motions + motion_floats * indices[i])),
+                                    _mm_loadu_ps(motions + motion_floats * indices[i + 4]), 1);
+    };
+    return transposed_quads<Tag>({both(0), both(1), both(2), both(3)});
+}
+
 /// Writes the first four floats of eight bodies.
 template <class Tag>
 void scatter_octet(float* motions, const std::uint32_t* indices, __m256 v_x, __m256 v_y, __m256 w, __m256 dp_x)
 {
-    const __m256 v_lo = _mm256_unpacklo_ps(v_x, v_y), v_hi = _mm256_unpackhi_ps(v_x, v_y);
-    const __m256 w_lo = _mm256_unpacklo_ps(w, dp_x), w_hi = _mm256_unpackhi_ps(w, dp_x);
+    const EightQuads<Tag> rows = transposed_quads<Tag>({v_x, v_y, w, dp_x});
     const auto store = [&](std::size_t i, __m128 body)
     {
         if (indices[i] != 0) _mm_storeu_ps(motions + motion_floats * indices[i], body);
@@ -75,11 +94,10 @@ void scatter_octet(float* motions, const std::uint32_t* indices, __m256 v_x, __m
         store(i, _mm256_castps256_ps128(bodies));
         store(i + 4, _mm256_extractf128_ps(bodies, 1));
     };
-    constexpr int first = _MM_SHUFFLE(1, 0, 1, 0), second = _MM_SHUFFLE(3, 2, 3, 2);
-    store_both(0, _mm256_shuffle_ps(v_lo, w_lo, first));
-    store_both(1, _mm256_shuffle_ps(v_lo, w_lo, second));
-    store_both(2, _mm256_shuffle_ps(v_hi, w_hi, first));
-    store_both(3, _mm256_shuffle_ps(v_hi, w_hi, second));
+    store_both(0, rows.f0);
+    store_both(1, rows.f1);
+    store_both(2, rows.f2);
+    store_both(3, rows.f3);
 }
 
 #if !defined(__AVX512F__)
@@ -88,6 +106,13 @@ inline BodyLanes<Lanes<8>> gather(const float* motions, const BodyIndices<Lanes<
 {
     const Octet<Lanes<8>> o = gather_octet<Lanes<8>>(motions, motion_floats, indices.at);
     return {{o.f0, o.f1}, o.f2, {o.f3, o.f4}, {o.f5, o.f6}};
+}
+
+inline BodyLanes<Lanes<8>> gather_velocities(const float* motions, const BodyIndices<Lanes<8>>& indices)
+{
+    const EightQuads<Lanes<8>> q = gather_quads<Lanes<8>>(motions, indices.at);
+    const Lanes<8> none(0.0f);
+    return {{q.f0, q.f1}, q.f2, {q.f3, none}, {none, none}};
 }
 
 inline void scatter(float* motions, const BodyIndices<Lanes<8>>& indices, const BodyLanes<Lanes<8>>& lanes)
@@ -107,6 +132,14 @@ inline BodyLanes<Lanes<16>> gather(const float* motions, const BodyIndices<Lanes
     const auto both = [](__m256 low, __m256 high) { return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1); };
     return {
         {both(l.f0, r.f0), both(l.f1, r.f1)}, both(l.f2, r.f2), {both(l.f3, r.f3), both(l.f4, r.f4)}, {both(l.f5, r.f5), both(l.f6, r.f6)}};
+}
+
+inline BodyLanes<Lanes<16>> gather_velocities(const float* motions, const BodyIndices<Lanes<16>>& indices)
+{
+    const EightQuads<Lanes<16>> l = gather_quads<Lanes<16>>(motions, indices.at);
+    const EightQuads<Lanes<16>> r = gather_quads<Lanes<16>>(motions, indices.at + 8);
+    const Lanes<16> none(0.0f);
+    return {{joined(l.f0, r.f0), joined(l.f1, r.f1)}, joined(l.f2, r.f2), {joined(l.f3, r.f3), none}, {none, none}};
 }
 
 inline void scatter(float* motions, const BodyIndices<Lanes<16>>& indices, const BodyLanes<Lanes<16>>& lanes)

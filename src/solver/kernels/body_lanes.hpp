@@ -46,6 +46,13 @@ BodyLanes<F> gather(const float* motions, const BodyIndices<F>& indices)
     return lanes;
 }
 
+/// Gathers velocities, and what scatter() writes beside them; the rest is zero.
+template <class F>
+BodyLanes<F> gather_velocities(const float* motions, const BodyIndices<F>& indices)
+{
+    return gather(motions, indices);
+}
+
 /// Writes velocities back.
 /// @param indices 0 for every body that nothing pushes: kinematic bodies too, which rows of one colour may share, and whose velocity must
 ///                stay what it is when an infinite impulse meets their inverse mass of zero

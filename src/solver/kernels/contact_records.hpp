@@ -55,7 +55,7 @@ struct StoreConstants
     F settled_within; ///< see Tolerances [m]
 };
 
-/// Bodies of a row as they are at the start of a step.
+/// Velocities and masses of a row's bodies at the start of a step.
 template <class F>
 struct RowBodies
 {
