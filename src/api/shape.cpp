@@ -2,6 +2,7 @@
 #include <carom/body.hpp>
 
 #include "api/validate.hpp"
+#include "dynamics/mix_materials.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "edit/chain_edits.hpp"
 #include "edit/edits.hpp"
@@ -121,6 +122,7 @@ void Shape::set_geometry(const Geometry& geometry)
     {
         detail::mix_again(*world_, slot);
         detail::forget_impulses(world_->contacts.manifolds[slot]);
+        detail::set_roundings(world_->contacts.manifolds[slot], world_->contacts.contacts[slot], world_->shapes);
         world_->contacts.memories[slot] = {};
     });
     detail::refresh_mass(*world_, body);

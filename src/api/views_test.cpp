@@ -258,6 +258,25 @@ TEST_F(ViewsTest, AShapeReadsBackWhatItWasMadeOfAndTakesChanges)
     EXPECT_FLOAT_EQ(world.body(body).mass_data().mass, 6);
 }
 
+TEST_F(ViewsTest, AShapeThatBecomesADiscRollsLikeOne)
+{
+    world.set_gravity({0, -9.81f});
+    world.create_body({.type = BodyType::Static, .position = {0, -1}}, box(200, 2));
+    Body disc = world.body(world.create_body({.position = {-50, 0.5f}}, circle(0.5f)));
+    Body former_box = world.body(world.create_body({.position = {50, 0.5f}}, box(1, 1)));
+    for (int i = 0; i < 10; ++i) world.step(1 / 60.0f);
+    world.shape(former_box.shapes()[0]).set_geometry(circle(0.5f));
+    for (Body* body : {&disc, &former_box})
+    {
+        body->set_linear_velocity({20, 0});
+        body->set_angular_velocity(-40);
+    }
+    for (int i = 0; i < 30; ++i) world.step(1 / 60.0f);
+    EXPECT_NEAR(former_box.position().x - 50, disc.position().x + 50, 1e-3f);
+    EXPECT_NEAR(former_box.position().y, disc.position().y, 1e-4f);
+    EXPECT_NEAR(former_box.linear_velocity().x, 20, 1e-2f);
+}
+
 TEST_F(ViewsTest, ADisabledBodysShapesFollowItsTransform)
 {
     Body body = world.body(world.create_body({.is_enabled = false}, circle(1)));

@@ -22,7 +22,7 @@ float l1_norm(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
 CollisionMemory remember(const FaceSearch& search, const Searched& a, const Searched& b, const Transform& b_in_a)
 {
     CollisionMemory memory;
-    if (search.gap == 0 && search.lead == 0) return memory;
+    if (spares_no_search(search)) return memory;
 
     const bool b_is_smaller = b.extent.outer <= a.extent.outer;
     const Searched& smaller = b_is_smaller ? b : a;

@@ -73,6 +73,9 @@ struct Searched
     const Extent& extent;
 };
 
+/// Whether nothing is to be remembered of a search: shapes that touch with no faces found, or with two faces equally good.
+inline bool spares_no_search(const FaceSearch& search) { return search.gap == 0 && search.lead == 0; }
+
 /// @param search as collide() left it
 CollisionMemory remember(const FaceSearch& search, const Searched& a, const Searched& b, const Transform& b_in_a);
 

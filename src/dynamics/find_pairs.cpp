@@ -143,7 +143,9 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
         contact.is_sensor = judge_pair(shapes, bodies, joints, pair).is_sensor;
         refresh_wishes(contact, shapes);
         const ContactSurface surface = mix_materials(contact, shapes, rules);
-        contacts.manifolds[contacts.create(contact, bodies)].surface = surface;
+        ContactManifold& manifold = contacts.manifolds[contacts.create(contact, bodies)];
+        manifold.surface = surface;
+        set_roundings(manifold, contact, shapes);
         known.insert(pair);
         any_idle = any_idle || (!bodies.is_active(contact.body_a) && !bodies.is_active(contact.body_b));
     }

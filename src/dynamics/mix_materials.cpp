@@ -49,4 +49,10 @@ ContactSurface mix_materials(const Contact& contact, const ShapeStore& shapes, c
     return surface;
 }
 
+void set_roundings(ContactManifold& manifold, const Contact& contact, const ShapeStore& shapes)
+{
+    manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
+    manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
+}
+
 } // namespace carom::detail

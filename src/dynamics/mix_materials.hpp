@@ -11,6 +11,9 @@ namespace carom::detail
 /// By the world's rules, and by its hooks if there are any.
 ContactSurface mix_materials(const Contact& contact, const ShapeStore& shapes, const ContactRules& rules);
 
+/// Tells a contact how round its shapes are: once, and again when one of them becomes another.
+void set_roundings(ContactManifold& manifold, const Contact& contact, const ShapeStore& shapes);
+
 /// Largest friction and rolling resistance that are taken: beyond, products leave the range of float.
 inline constexpr float max_friction = 1e6f;
 

@@ -39,6 +39,12 @@ LocalManifold collide_shapes(const Contact& contact, CollisionMemory& memory, Fa
     FaceSearch search = is_known ? known_faces(memory) : FaceSearch{};
     const LocalManifold local = collide(a, b, b_in_a, shapes.tolerances.speculative_distance, shapes.tolerances, search);
     if (is_known && search.gap == 0) return local;
+    if (spares_no_search(search))
+    {
+        memory.result = CollisionMemory::Result::Nothing;
+        memory.has_face_pair = false;
+        return local;
+    }
     memory = remember(search, {a, shapes.extents[contact.shape_a]}, {b, shapes.extents[contact.shape_b]}, b_in_a);
     if (memory.result == CollisionMemory::Result::Faces && face_each_other(search))
     {
@@ -62,11 +68,6 @@ void collide_pair(std::uint32_t slot, const BodyStore& bodies, const ShapeStore&
     const bool are_apart = is_known && memory.result == CollisionMemory::Result::Gap;
     const LocalManifold alone =
         are_apart ? LocalManifold{} : collide_shapes(contact, memory, contacts.face_pairs[slot], is_known, b_in_a, shapes);
-    if (!are_apart)
-    {
-        manifold.rounding_a = rounding(shapes.geometry[contact.shape_a]);
-        manifold.rounding_b = rounding(shapes.geometry[contact.shape_b]);
-    }
     if (!may_be_filtered(contact, bodies)) return write(manifold, alone, pose_a, pose_b);
     const LocalManifold in_front = keep_front(alone, contact, bodies, shapes);
     write(manifold, without_internal_edges(in_front, contact, bodies, shapes, contacts), pose_a, pose_b);
