@@ -270,6 +270,28 @@ TEST_F(NarrowPhaseTest, contacts_beyond_one_block_are_updated_in_their_order)
     EXPECT_EQ(std::vector<std::uint32_t>(changes.gained_points.begin(), changes.gained_points.end()), expected);
 }
 
+/// A box of 10 cm that is 1 cm deep in a tile and 4 mm over the seam to the next one, whose hidden side pushes back.
+TEST_F(NarrowPhaseTest, what_is_known_of_faces_minds_a_tile_beside_them)
+{
+    for (const bool are_two_tiles : {true, false})
+    {
+        const std::uint32_t tile = scene.add({.type = BodyType::Static, .position = {20, -0.5f}}, box(1, 1));
+        const std::uint32_t next = scene.add({.type = BodyType::Static, .position = {21, -0.5f}}, box(1, 1));
+        const std::uint32_t slider = scene.add({.position = {20.454f, 0.04f}}, box(0.1f, 0.1f));
+        const std::uint32_t seam = scene.touch(next, slider);
+        const std::uint32_t top = are_two_tiles ? scene.touch(tile, slider) : scene.touch(ground, crate);
+        update();
+        ASSERT_TRUE(scene.contacts.memories[seam].has_face_pair && scene.contacts.memories[top].has_face_pair);
+        const ContactManifold before = scene.contacts.manifolds[seam];
+        const bool is_pushed_back = before.count > 0 && before.normal.x < -0.9f;
+        EXPECT_EQ(is_pushed_back, !are_two_tiles) << "alone, the tile has no hidden side";
+        for (const std::uint32_t contact : {seam, top}) scene.contacts.contacts[contact].color = 0; // as the solver would have
+        update();
+        EXPECT_EQ(scene.contacts.manifolds[seam].count, before.count);
+        EXPECT_EQ(scene.contacts.manifolds[seam].normal, before.normal);
+    }
+}
+
 TEST_F(NarrowPhaseTest, forgetting_leaves_the_points_without_impulses)
 {
     update();
