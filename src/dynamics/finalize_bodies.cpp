@@ -61,22 +61,50 @@ void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodie
     }
 }
 
+void renew_fat_bounds(std::uint32_t shape, Vec2 way, ShapeStore& shapes, BroadPhase& broad_phase)
+{
+    ShapeBounds& bounds = shapes.bounds[shape];
+    bounds.fat = fattened(bounds.tight, way, shapes.tolerances.max_bounds_margin);
+    broad_phase.update(shape, bounds.fat);
+    shapes.mark_moved(shape);
+}
+
+/// The same as refresh_bounds, and tells continuous collision of the shapes that have strayed. Those that leave their fat bounds in the next step keep
+/// them for now: the pairs of this step were found with these.
+void watch_bounds(const BodyMotion& motion, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt,
+                  FastMotion& fast)
+{
+    const Transform& transform = bodies.poses[motion.slot].transform;
+    const Vec2 next_way = dt * motion.v;
+    for (std::uint32_t s = bodies.records[motion.slot].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    {
+        ShapeBounds& bounds = shapes.bounds[s];
+        bounds.tight = bounds_of(shapes.geometry[s], transform);
+        const Aabb around = expanded(bounds.tight, shapes.tolerances.linear_slop); // with what gravity adds in a step
+        if (contains(bounds.fat, swept(around, next_way))) continue;
+        const bool has_strayed = !contains(bounds.fat, bounds.tight);
+        (has_strayed ? fast.strayed_shapes : fast.leaving_shapes).push_back(s);
+        if (has_strayed) renew_fat_bounds(s, steps_ahead * next_way, shapes, broad_phase);
+    }
+}
+
 } // namespace
 
-void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way,
-                    std::pmr::vector<std::uint32_t>* strayed)
+void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way)
 {
     const Transform& transform = bodies.poses[body].transform;
     for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
     {
         ShapeBounds& bounds = shapes.bounds[s];
         bounds.tight = bounds_of(shapes.geometry[s], transform);
-        if (contains(bounds.fat, bounds.tight)) continue;
-        bounds.fat = fattened(bounds.tight, way, shapes.tolerances.max_bounds_margin);
-        broad_phase.update(s, bounds.fat);
-        shapes.mark_moved(s);
-        if (strayed) strayed->push_back(s);
+        if (!contains(bounds.fat, bounds.tight)) renew_fat_bounds(s, way, shapes, broad_phase);
     }
+}
+
+void renew_bounds(std::span<const std::uint32_t> leaving, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt)
+{
+    for (const std::uint32_t shape : leaving)
+        renew_fat_bounds(shape, steps_ahead * dt * bodies.velocity(shapes.records[shape].body), shapes, broad_phase);
 }
 
 namespace
@@ -133,8 +161,12 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
                      std::pmr::vector<LostBody>& lost, FastMotion* fast)
 {
     if (fast) make_room(fast->bodies, bodies.motions.size());
-    if (fast) make_room(fast->strayed_shapes, shapes.records.size());
-    if (fast) fast->displacements.resize(bodies.motions.size());
+    if (fast)
+    {
+        make_room(fast->strayed_shapes, shapes.records.size());
+        make_room(fast->leaving_shapes, shapes.records.size());
+        fast->displacements.resize(bodies.motions.size());
+    }
     make_room(lost, bodies.motions.size()); // a pass that stopped half-way would move some bodies twice
     for (std::size_t i = 1; i < bodies.motions.size(); ++i)
     {
@@ -173,9 +205,13 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
             fast->bodies.push_back({motion.slot, sweep});
             widen_bounds(sweep, motion.slot, bodies, shapes, broad_phase, fast->strayed_shapes);
         }
+        else if (fast)
+        {
+            watch_bounds(motion, bodies, shapes, broad_phase, dt, *fast);
+        }
         else
         {
-            refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v, fast ? &fast->strayed_shapes : nullptr);
+            refresh_bounds(motion.slot, bodies, shapes, broad_phase, steps_ahead * dt * motion.v);
         }
     }
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 namespace carom::detail
@@ -34,16 +35,25 @@ struct Displacement
 /// What the motion of a step leaves for continuous collision to look at.
 struct FastMotion
 {
-    explicit FastMotion(std::pmr::memory_resource& memory) : bodies(&memory), displacements(&memory), strayed_shapes(&memory) {}
+    explicit FastMotion(std::pmr::memory_resource& memory)
+        : bodies(&memory),
+          displacements(&memory),
+          strayed_shapes(&memory),
+          leaving_shapes(&memory)
+    {
+    }
 
     std::pmr::vector<FastBody> bodies;
     std::pmr::vector<Displacement> displacements; ///< by motion index
     /// Shapes, of fast bodies or not, that have left the fat bounds of the last search for pairs. All others are near only those that they
     /// have contacts with.
     std::pmr::vector<std::uint32_t> strayed_shapes;
+    /// Shapes that are still within their fat bounds and are about to leave them in the next step.
+    std::pmr::vector<std::uint32_t> leaving_shapes;
 };
 
-/// Fat bounds reach ahead along the velocity for this many steps: fewer searches for pairs, against more false pairs.
+/// Fat bounds reach ahead along the velocity for this many steps: fewer searches for pairs, against more false pairs. Those of fast bodies are made
+/// anew in each step, and so reach ahead for one.
 inline constexpr float steps_ahead = 2;
 
 /// A body whose state the step has lost.
@@ -78,9 +88,10 @@ void finalize_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_ph
                      std::pmr::vector<LostBody>& lost, FastMotion* fast);
 
 /// New bounds of all shapes of a body that has moved; they are marked as moved when they leave the fat ones.
-/// @param way     see fattened()
-/// @param strayed shapes that have left their fat bounds; appended to; may be null
-void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way,
-                    std::pmr::vector<std::uint32_t>* strayed = nullptr);
+/// @param way see fattened()
+void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way);
+
+/// New fat bounds of shapes that are about to leave theirs, so that the next search for pairs comes before they stray.
+void renew_bounds(std::span<const std::uint32_t> leaving, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt);
 
 } // namespace carom::detail

@@ -143,6 +143,25 @@ TEST_F(FinalizeBodiesTest, shapes_stray_when_their_displacement_leaves_the_fat_b
     EXPECT_LT(scene.shapes.bounds[swift].fat.max.x, 6.9f) << "no more than its way";
 }
 
+TEST_F(FinalizeBodiesTest, shapes_that_the_next_step_takes_out_of_their_fat_bounds_get_new_ones_before_they_stray)
+{
+    const std::uint32_t body = add({.linear_velocity = {0.06f / step_time, 0}}); // 0.06 m a step, and the fat bounds are 0.1 m wider
+    scene.shapes.clear_moved();
+    const Aabb fat = scene.shapes.bounds[body].fat;
+    motion(body).dp = {0.06f, 0};
+    finalize();
+    EXPECT_EQ(scene.shapes.bounds[body].fat, fat) << "the pairs of this step were found with them";
+    EXPECT_TRUE(motions.strayed_shapes.empty());
+    ASSERT_EQ(motions.leaving_shapes.size(), 1u);
+    renew_bounds(motions.leaving_shapes, scene.bodies, scene.shapes, *broad_phase, step_time);
+    EXPECT_EQ(scene.shapes.moved.size(), 1u) << "the next search for pairs knows them";
+    motions.leaving_shapes.clear();
+    motion(body).dp = {0.06f, 0};
+    finalize();
+    EXPECT_TRUE(motions.strayed_shapes.empty());
+    EXPECT_TRUE(motions.leaving_shapes.empty());
+}
+
 TEST_F(FinalizeBodiesTest, a_turn_of_more_than_half_a_circle_is_told_by_the_spin)
 {
     const std::uint32_t body = add({.angular_velocity = 400}, box(1, 0.1f)); // 6.67 rad in the step: one turn and 0.38 rad

@@ -123,9 +123,7 @@ Aabb fattened(const Aabb& tight, Vec2 way, float max_margin)
     constexpr float share_of_size = 0.125f;
     const Vec2 half = tight.half_extent();
     const float margin = std::min(2 * share_of_size * std::max(half.x, half.y), max_margin);
-    const Aabb still = expanded(tight, margin);
-    return {{still.min.x + std::min(way.x, 0.0f), still.min.y + std::min(way.y, 0.0f)},
-            {still.max.x + std::max(way.x, 0.0f), still.max.y + std::max(way.y, 0.0f)}};
+    return swept(expanded(tight, margin), way);
 }
 
 void refresh_wishes(Contact& contact, const ShapeStore& shapes)

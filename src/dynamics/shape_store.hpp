@@ -8,6 +8,7 @@
 #include <carom/math.hpp>
 #include <carom/shape.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory_resource>
 #include <vector>
@@ -96,6 +97,13 @@ public:
     std::pmr::vector<std::uint32_t> moved;          ///< slots whose fat bounds are new since the last search for pairs, in any order
     std::pmr::vector<std::uint32_t> place_in_moved; ///< by slot; null_index when not there
 };
+
+/// A box and all places that it comes to on a straight way [m].
+inline Aabb swept(const Aabb& box, Vec2 way)
+{
+    return {{box.min.x + std::min(way.x, 0.0f), box.min.y + std::min(way.y, 0.0f)},
+            {box.max.x + std::max(way.x, 0.0f), box.max.y + std::max(way.y, 0.0f)}};
+}
 
 /// Bounds that a shape may move in for a while without being looked at again.
 /// @param way        where the body goes in the near future [m]: the margin follows the velocity

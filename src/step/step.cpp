@@ -162,9 +162,10 @@ void move_bodies(WorldState& world, ContinuousCollision& continuous, float dt, S
                         world.is_continuous ? &fast : nullptr);
         put_aside(world, lost);
     });
-    run(Stage::Continuous, [&] {
-        continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt,
-                       steps_ahead * dt);
+    run(Stage::Continuous, [&]
+    {
+        continuous.run(fast, world.bodies, world.shapes, world.joints, world.contacts, world.rules, *world.broad_phase, dt);
+        renew_bounds(fast.leaving_shapes, world.bodies, world.shapes, *world.broad_phase, dt);
     });
 }
 

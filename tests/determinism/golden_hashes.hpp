@@ -16,28 +16,18 @@ struct SceneHash
 };
 
 inline constexpr std::array scenes = {
-    SceneHash{"planets", 0xea478250e5166bbb},
-    SceneHash{"triggers", 0xdce2d667fe27e555},
-    SceneHash{"collisions", 0xd9eb16e004c2bccf},
-    SceneHash{"gravity", 0xca56df53917623ae},
-    SceneHash{"queries", 0x3ea9b3c34ea5e92d},
-    SceneHash{"character", 0x5f705949745928ac},
-    SceneHash{"chain-terrain", 0x577e82296a419770},
-    SceneHash{"tiles", 0x85d3ac19385e9673},
-    SceneHash{"one-way", 0x4b5fe22b1b856faf},
-    SceneHash{"bullets", 0xb4d0097199098eca},
-    SceneHash{"sleep", 0xcf6b1fdadf82e22d},
-    SceneHash{"bridge", 0xbfecb59540c950bc},
-    SceneHash{"domino", 0xfd0acc9d993a2d16},
-    SceneHash{"newton-cradle", 0x77e4745f76f7ead1},
-    SceneHash{"card-house", 0x6cee91470a6ce9d},
-    SceneHash{"arch", 0x3707a202a135be0},
-    SceneHash{"joints", 0x54a19526fce20b1a},
-    SceneHash{"ragdolls", 0xfd76ca67453a6fea},
-    SceneHash{"car", 0xb310c5e74628388},
-    SceneHash{"mass-ratio", 0xdc30799c9a56cee6},
+    SceneHash{"planets", 0xd494360bb22faa1d},       SceneHash{"triggers", 0x43f1fae814c8a07a},
+    SceneHash{"collisions", 0xdbdfef193a319223},    SceneHash{"gravity", 0xf7e8d8a7fc207604},
+    SceneHash{"queries", 0x269d2b7be6e314c2},       SceneHash{"character", 0x2304f2d2e9376e7a},
+    SceneHash{"chain-terrain", 0x207e3061ec884879}, SceneHash{"tiles", 0xcb7a63b26891a349},
+    SceneHash{"one-way", 0x80bccb7b27b0c185},       SceneHash{"bullets", 0x83d31c032173423d},
+    SceneHash{"sleep", 0xa8f6c409a6274b5d},         SceneHash{"bridge", 0xe707522ccb21e2a},
+    SceneHash{"domino", 0x6800d3c7673e9aeb},        SceneHash{"newton-cradle", 0xa14c08344bfef025},
+    SceneHash{"card-house", 0x6cee91470a6ce9d},     SceneHash{"arch", 0x3707a202a135be0},
+    SceneHash{"joints", 0x76b800ae5291ac49},        SceneHash{"ragdolls", 0xe3d252030cf0ff97},
+    SceneHash{"car", 0x8c67068cafb50c0e},           SceneHash{"mass-ratio", 0xc0b2aba2df98d478},
 };
 
-inline constexpr std::uint64_t mixed_world = 0x7001d72a4cfed87a;
+inline constexpr std::uint64_t mixed_world = 0x97e300b2da149bcb;
 
 } // namespace carom::golden

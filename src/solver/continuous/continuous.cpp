@@ -36,7 +36,7 @@ ContinuousCollision::ContinuousCollision(std::pmr::memory_resource& scratch)
 }
 
 void ContinuousCollision::run(const FastMotion& fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints,
-                              const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead)
+                              const ContactStore& contacts, const ContactRules& rules, BroadPhase& broad_phase, float dt)
 {
     if (fast.bodies.empty()) return;
     const Surroundings near = {bodies, shapes, joints, contacts, rules, fast.displacements, dt};
@@ -44,7 +44,7 @@ void ContinuousCollision::run(const FastMotion& fast, BodyStore& bodies, ShapeSt
     find_candidates(fast.strayed_shapes, near, broad_phase);
     judge_candidates(near);
     resolve_impacts(near, broad_phase);
-    place_bodies(bodies, shapes, broad_phase, way_ahead);
+    place_bodies(bodies, shapes, broad_phase, dt);
     find_crossings(bodies, shapes);
 }
 
@@ -102,7 +102,7 @@ std::uint32_t ContinuousCollision::mover_of(std::uint32_t body, PairKey made_for
     return mover;
 }
 
-void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead)
+void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt)
 {
     for (const Mover& mover : movers_)
     {
@@ -122,7 +122,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
                 pose.center = mover.sweep.center_end;
             }
         }
-        const Vec2 ahead = way_ahead * bodies.velocity(mover.body);
+        const Vec2 ahead = dt * bodies.velocity(mover.body);
         for (std::uint32_t s = bodies.records[mover.body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
         {
             ShapeBounds& bounds = shapes.bounds[s];

@@ -55,9 +55,8 @@ public:
     /// @param fast    as finalize_bodies left it; the fat bounds of fast shapes hold the whole way, and are ordinary ones after
     /// @param contacts, rules who passes whom: through a one-sided segment, or because a hook says so
     /// @param dt    of the step [s]
-    /// @param way_ahead the way that fat bounds reach ahead, in steps [s]
     void run(const FastMotion& fast, BodyStore& bodies, ShapeStore& shapes, const JointStore& joints, const ContactStore& contacts,
-             const ContactRules& rules, BroadPhase& broad_phase, float dt, float way_ahead);
+             const ContactRules& rules, BroadPhase& broad_phase, float dt);
 
     std::span<const Crossing> crossings() const { return crossings_; }
 
@@ -181,7 +180,7 @@ private:
     void stop(std::uint32_t mover, float time, const Surroundings& near);
     void follow(std::uint32_t mover, std::uint32_t carrier, float time, const Surroundings& near, BroadPhase& broad_phase);
 
-    void place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float way_ahead);
+    void place_bodies(BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, float dt);
     void find_crossings(const BodyStore& bodies, const ShapeStore& shapes);
 
     std::pmr::vector<Mover> movers_;

@@ -60,7 +60,7 @@ protected:
         fast.bodies.erase(fast.bodies.begin(), fast.bodies.begin() + static_cast<std::ptrdiff_t>(first));
         fast.displacements.resize(scene.bodies.motions.size());
         ContinuousCollision continuous{scene.memory};
-        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time, 2 * step_time);
+        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, rules, *broad_phase, step_time);
         return {continuous.crossings().begin(), continuous.crossings().end()};
     }
     Vec2 place(std::uint32_t body) const { return scene.bodies.poses[body].center; }
@@ -252,7 +252,8 @@ public:
                 if (std::find(fast.strayed_shapes.begin(), fast.strayed_shapes.end(), shape) == fast.strayed_shapes.end())
                     fast.strayed_shapes.push_back(shape);
         ContinuousCollision continuous{scene.memory};
-        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, {}, *broad_phase, step_time, 2 * step_time);
+        continuous.run(fast, scene.bodies, scene.shapes, joints, scene.contacts, {}, *broad_phase, step_time);
+        renew_bounds(fast.leaving_shapes, scene.bodies, scene.shapes, *broad_phase, step_time);
         for (const BodyWatch& watch : scene.bodies.watches) set_back += watch.set_back != Vec2{};
     }
 
