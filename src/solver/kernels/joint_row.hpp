@@ -421,6 +421,18 @@ F bias_of(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
     return lane_max(F(0) - most, lane_min(k.bias_rate * row.error[i], most));
 }
 
+/// A soft row holds lambda = m (mass_scale / impulse_scale) bias when it is at rest. A bias that is bounded would bound lambda too, and a net that carries
+/// more would tear on and on: the scale of the impulse follows the bias, so that lambda is that of the whole error.
+/// @return the share of its bias that a row is left by most_bias
+template <class F>
+F bias_share(const JointRow<F>& row, std::size_t i, const JointConstants<F>& k)
+{
+    const F wanted = k.bias_rate * row.error[i];
+    const F size = lane_max(wanted, F(0) - wanted);
+    const F most = most_bias(row.rigid[i], k);
+    return most / lane_max(size, most);
+}
+
 /// The joint's rigid rows together, apart from those of other joints, in the biased or the relaxing pass.
 template <bool WithBias, class F>
 [[gnu::noinline, gnu::flatten]] void solve_rigid(JointRow<F>& row, const JointConstants<F>& k, BodyLanes<F>& a, BodyLanes<F>& b)
@@ -435,7 +447,12 @@ template <bool WithBias, class F>
     for (std::size_t i = 0; i < row.rigid_count; ++i)
     {
         F change = x[i];
-        if constexpr (WithBias) change = k.mass_scale * change - k.impulse_scale * row.lambda[i];
+        if constexpr (WithBias)
+        {
+            const F share = bias_share(row, i, k);
+            const F mass_scale = k.mass_scale + (F(1) - share) * k.impulse_scale;
+            change = mass_scale * change - share * k.impulse_scale * row.lambda[i];
+        }
         row.lambda[i] = row.lambda[i] + change;
         apply(row, row.rigid[i], change, a, b);
     }

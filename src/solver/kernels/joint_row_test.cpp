@@ -171,6 +171,28 @@ TEST(JointRow, AnErrorIsUndoneNoFasterThanTheLimit)
     }
 }
 
+TEST(JointRow, ASoftPinThatIsFarOpenClosesUnderAnyLoad)
+{
+    RandomJointRow c(1, RowType::Revolute);
+    c.row.rigid_count = 2;
+    c.row.inv_mass_a = {0, 0};
+    c.row.inv_inertia_a = 0;
+    c.row.inv_mass_b = {1, 1};
+    c.row.inv_inertia_b = 0;
+    c.a = {{0, 0}, 0, {}, {1, 0}};
+    c.b = {{0, 0}, 0, {}, {1, 0}};
+    linearise(c.row, c.a, c.b);
+    c.row.error[0] = 10; // B is 10 m to the right of its place
+    c.row.lambda = {};
+    for (int substep = 0; substep < 200; ++substep)
+    {
+        c.b.v.x += 1000; // far beyond mass_scale / impulse_scale max_bias = 36 m/s
+        warm_start(c.row, c.a, c.b);
+        solve<true>(c.row, joint_constants, c.a, c.b);
+    }
+    EXPECT_NEAR(c.b.v.x, -max_bias, 1);
+}
+
 TEST(JointRow, AMotorReachesItsSpeedOrItsLimit)
 {
     for (unsigned seed = 0; seed < 100; ++seed)
