@@ -145,6 +145,8 @@ void limit_speed(BodyMotion& motion)
 /// Whether the body is slow, and has hardly moved since it became so.
 bool is_at_rest(BodyWatch& watch, const BodyMotion& motion, const Sweep& sweep, float dt, float sleep_speed)
 {
+    // Most bodies that move show it in one component already.
+    if (std::max(std::abs(motion.v.x), std::abs(motion.v.y)) > sleep_speed) return false;
     const Vec2 displacement = sweep.center_end - sweep.center_start;
     // A body that a joint is still pulling into place comes along without a velocity.
     const float speed = std::max(length(motion.v), length(displacement) / dt);
