@@ -7,7 +7,7 @@
 //   q = u . d,   q' = u . (v_b - v_a) + (r_b x u) w_b - ((d + r_a) x u) w_a
 #pragma once
 
-#include "solver/kernels/joint_row.hpp"
+#include "solver/kernels/joint_solve.hpp"
 #include "solver/kernels/lane_trig.hpp"
 
 namespace carom::detail
