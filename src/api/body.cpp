@@ -3,6 +3,7 @@
 
 #include "api/validate.hpp"
 #include "dynamics/finalize_bodies.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/edits.hpp"
 #include "edit/wake.hpp"
 #include "geometry/validate.hpp"
@@ -78,10 +79,10 @@ std::size_t BodyView::shape_count() const { return world_->bodies.records[requir
 
 std::vector<ShapeId> BodyView::shapes() const
 {
-    const detail::BodyRecord& record = world_->bodies.records[require_body(*world_, id_, "shapes")];
+    const std::uint32_t body = require_body(*world_, id_, "shapes");
     std::vector<ShapeId> ids;
-    ids.reserve(record.shape_count);
-    for (std::uint32_t s = record.first_shape; s != detail::null_index; s = world_->shapes.records[s].next_of_body)
+    ids.reserve(world_->bodies.records[body].shape_count);
+    for (const std::uint32_t s : detail::shapes_of(world_->bodies, world_->shapes, body))
         ids.push_back(detail::shape_id(world_->shapes, s, world_->world));
     return ids;
 }
@@ -93,10 +94,10 @@ std::uint64_t BodyView::user_data() const { return world_->bodies.records[requir
 Aabb BodyView::bounds() const
 {
     const std::uint32_t body = require_body(*world_, id_, "bounds");
-    std::uint32_t shape = world_->bodies.records[body].first_shape;
-    if (shape == detail::null_index) return {position(), position()};
-    Aabb all = world_->shapes.bounds[shape].tight;
-    for (; shape != detail::null_index; shape = world_->shapes.records[shape].next_of_body)
+    const std::uint32_t first = world_->bodies.records[body].first_shape;
+    if (first == detail::null_index) return {position(), position()};
+    Aabb all = world_->shapes.bounds[first].tight;
+    for (const std::uint32_t shape : detail::shapes_of(world_->bodies, world_->shapes, body))
         all = merge(all, world_->shapes.bounds[shape].tight);
     return all;
 }

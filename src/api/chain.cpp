@@ -2,6 +2,7 @@
 #include <carom/chain.hpp>
 
 #include "api/validate.hpp"
+#include "dynamics/ids.hpp"
 #include "edit/chain_edits.hpp"
 #include "edit/edits.hpp"
 #include "math/usage_error.hpp"
@@ -44,7 +45,7 @@ std::uint32_t segment_at(const detail::WorldState& world, std::uint32_t chain, i
 BodyId ChainView::body() const
 {
     const std::uint32_t body = world_->chains.records[require_chain(*world_, id_, "body")].body;
-    return {body, world_->bodies.slots.generation(body), world_->world};
+    return detail::id_of<BodyId>(world_->bodies, body, world_->world);
 }
 
 int ChainView::segment_count() const

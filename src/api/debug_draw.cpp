@@ -1,4 +1,5 @@
 // Walks a world for a visitor, between two steps or in the middle of one.
+#include "dynamics/ids.hpp"
 #include "math/usage_error.hpp"
 #include "step/mid_step.hpp"
 
@@ -17,10 +18,7 @@ struct Picture
     const MidStep* moment = nullptr; ///< null between two steps
 
     bool is_solving() const { return moment && moment->is_solving(); }
-    BodyId body(std::uint32_t slot) const
-    {
-        return slot == null_index ? BodyId{} : BodyId{slot, world.bodies.slots.generation(slot), world.world};
-    }
+    BodyId body(std::uint32_t slot) const { return slot == null_index ? BodyId{} : id_of<BodyId>(world.bodies, slot, world.world); }
     ShapeId shape(std::uint32_t slot) const { return shape_id(world.shapes, slot, world.world); }
 };
 
@@ -119,7 +117,7 @@ void draw_joints(const Picture& picture, DebugDraw& visitor)
         if (!joints.slots.is_live(slot)) continue;
         const Joint& joint = joints.joints[slot];
         const auto* mouse = std::get_if<MouseJoint>(&joint.spec);
-        visitor.joint({.id = {slot, joints.slots.generation(slot), picture.world.world},
+        visitor.joint({.id = id_of<JointId>(joints, slot, picture.world.world),
                        .type = static_cast<JointType>(joint.spec.index()),
                        .body_a = picture.body(joint.body_a),
                        .body_b = picture.body(joint.body_b),

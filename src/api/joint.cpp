@@ -2,6 +2,8 @@
 #include <carom/joint.hpp>
 
 #include "api/validate.hpp"
+#include "dynamics/ids.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/edits.hpp"
 #include "solver/joints/joint_setup.hpp"
 #include "state/guards.hpp"
@@ -20,13 +22,13 @@ using detail::WorldState;
 namespace
 {
 
-JointId joint_id(const WorldState& world, std::uint32_t slot) { return {slot, world.joints.slots.generation(slot), world.world}; }
+JointId joint_id(const WorldState& world, std::uint32_t slot) { return detail::id_of<JointId>(world.joints, slot, world.world); }
 
 /// Null for the world itself.
 BodyId joined_body(const WorldState& world, std::uint32_t slot)
 {
     if (slot == null_index) return {};
-    return {slot, world.bodies.slots.generation(slot), world.world};
+    return detail::id_of<BodyId>(world.bodies, slot, world.world);
 }
 
 const detail::Joint& read(const WorldState& world, JointId id, std::string_view function)
@@ -145,8 +147,8 @@ std::vector<JointId> World::joints_of(BodyId body) const
 {
     const WorldState& world = state("joints_of");
     std::vector<JointId> ids;
-    std::uint32_t edge = world.bodies.records[detail::require_body(world, body, "joints_of")].first_joint;
-    for (; edge != null_index; edge = world.joints.joints[edge / 2].next[edge % 2]) ids.push_back(joint_id(world, edge / 2));
+    for (const detail::Tie joint : detail::joints_of(world.bodies, world.joints, detail::require_body(world, body, "joints_of")))
+        ids.push_back(joint_id(world, joint.slot));
     std::sort(ids.begin(), ids.end());
     return ids;
 }

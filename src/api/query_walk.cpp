@@ -1,10 +1,12 @@
 // Decides what a query sees.
 #include "api/query_walk.hpp"
 
+#include "dynamics/ids.hpp"
+
 namespace carom::detail
 {
 
-BodyId body_id(const WorldState& world, std::uint32_t body) { return {body, world.bodies.slots.generation(body), world.world}; }
+BodyId body_id(const WorldState& world, std::uint32_t body) { return id_of<BodyId>(world.bodies, body, world.world); }
 
 bool is_seen(const WorldState& world, std::uint32_t shape, const QueryFilter& filter)
 {

@@ -2,6 +2,7 @@
 #include <carom/body.hpp>
 
 #include "api/validate.hpp"
+#include "dynamics/ids.hpp"
 #include "dynamics/mix_materials.hpp"
 #include "dynamics/narrow_phase.hpp"
 #include "edit/chain_edits.hpp"
@@ -33,14 +34,14 @@ std::uint32_t editable(const detail::WorldState& world, ShapeId id, std::string_
 BodyId ShapeView::body() const
 {
     const std::uint32_t body = world_->shapes.records[require_shape(*world_, id_, "body")].body;
-    return {body, world_->bodies.slots.generation(body), world_->world};
+    return detail::id_of<BodyId>(world_->bodies, body, world_->world);
 }
 
 ChainId ShapeView::chain() const
 {
     const std::uint32_t chain = world_->shapes.records[require_shape(*world_, id_, "chain")].chain;
     if (chain == detail::null_index) return {};
-    return {chain, world_->chains.slots.generation(chain), world_->world};
+    return detail::id_of<ChainId>(world_->chains, chain, world_->world);
 }
 
 const Geometry& ShapeView::geometry() const { return world_->shapes.geometry[require_shape(*world_, id_, "geometry")]; }

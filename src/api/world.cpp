@@ -2,6 +2,8 @@
 #include <carom/world.hpp>
 
 #include "api/validate.hpp"
+#include "dynamics/ids.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/chain_edits.hpp"
 #include "edit/edits.hpp"
 #include "edit/wake.hpp"
@@ -71,7 +73,7 @@ BodyId World::create_body(const BodyDef& def)
     require_idle(world, "create_body");
     detail::validate(def, "create_body");
     const std::uint32_t body = detail::create_body(world, def);
-    return {body, world.bodies.slots.generation(body), world.world};
+    return detail::id_of<BodyId>(world.bodies, body, world.world);
 }
 
 BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const ShapeDef& shape)
@@ -89,7 +91,7 @@ BodyId World::create_body(const BodyDef& def, const Geometry& geometry, const Sh
     without_shape.dismiss();
     // The velocity was given for the centre of mass that the shape has brought.
     world.bodies.set_velocity(body, def.linear_velocity);
-    return {body, world.bodies.slots.generation(body), world.world};
+    return detail::id_of<BodyId>(world.bodies, body, world.world);
 }
 
 void World::destroy_body(BodyId id)
@@ -126,7 +128,7 @@ ChainId World::create_chain(BodyId id, const ChainDef& def)
     const std::uint32_t body = require_body(world, id, "create_chain");
     detail::validate(def, "create_chain", world.shapes.tolerances);
     const std::uint32_t chain = detail::create_chain(world, body, def);
-    return {chain, world.chains.slots.generation(chain), world.world};
+    return detail::id_of<ChainId>(world.chains, chain, world.world);
 }
 
 void World::destroy_chain(ChainId id)
@@ -226,7 +228,7 @@ std::vector<BodyId> World::bodies() const
     std::vector<BodyId> ids;
     ids.reserve(static_cast<std::size_t>(world.bodies.slots.live_count()));
     for (std::uint32_t slot = 0; slot < world.bodies.slots.size(); ++slot)
-        if (world.bodies.slots.is_live(slot)) ids.push_back({slot, world.bodies.slots.generation(slot), world.world});
+        if (world.bodies.slots.is_live(slot)) ids.push_back(detail::id_of<BodyId>(world.bodies, slot, world.world));
     return ids;
 }
 
@@ -254,7 +256,7 @@ FieldId World::add_field(const Field& field)
         world.fields.fields.push_back(field);
     else
         world.fields.fields[slot] = field;
-    return {slot, world.fields.slots.generation(slot), world.world};
+    return detail::id_of<FieldId>(world.fields, slot, world.world);
 }
 
 void World::set_field(FieldId id, const Field& field)
@@ -287,7 +289,7 @@ std::vector<FieldId> World::fields() const
     const WorldState& world = state("fields");
     std::vector<FieldId> ids;
     for (std::uint32_t slot = 0; slot < world.fields.slots.size(); ++slot)
-        if (world.fields.slots.is_live(slot)) ids.push_back({slot, world.fields.slots.generation(slot), world.world});
+        if (world.fields.slots.is_live(slot)) ids.push_back(detail::id_of<FieldId>(world.fields, slot, world.world));
     return ids;
 }
 
@@ -324,12 +326,11 @@ Manifold World::manifold(ShapeId a, ShapeId b) const
     const WorldState& world = state("manifold");
     const std::uint32_t shape_a = require_shape(world, a, "manifold");
     const std::uint32_t shape_b = require_shape(world, b, "manifold");
-    std::uint32_t edge = world.bodies.records[world.shapes.records[shape_a].body].first_contact;
-    for (; edge != detail::null_index; edge = world.contacts.contacts[edge / 2].next[edge % 2])
+    for (const detail::Tie tie : detail::contacts_of(world.bodies, world.contacts, world.shapes.records[shape_a].body))
     {
-        const detail::Contact& contact = world.contacts.contacts[edge / 2];
+        const detail::Contact& contact = world.contacts.contacts[tie.slot];
         if (contact.is_sensor) continue;
-        const Manifold manifold = detail::public_manifold(world.contacts.manifolds[edge / 2], world.contacts.results[edge / 2]);
+        const Manifold manifold = detail::public_manifold(world.contacts.manifolds[tie.slot], world.contacts.results[tie.slot]);
         if (contact.shape_a == shape_a && contact.shape_b == shape_b) return manifold;
         if (contact.shape_a == shape_b && contact.shape_b == shape_a)
         {

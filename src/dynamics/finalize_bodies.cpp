@@ -1,6 +1,7 @@
 // The only place where a step writes poses.
 #include "dynamics/finalize_bodies.hpp"
 
+#include "dynamics/walks.hpp"
 #include "geometry/bounds.hpp"
 #include "memory/make_room.hpp"
 
@@ -43,7 +44,7 @@ void widen_bounds(const Sweep& sweep, std::uint32_t body, const BodyStore& bodie
     const bool turns = std::abs(sweep.turn) > 0.1f;
     const float reach = bodies.records[body].outer_radius;
     const Aabb around = merge(Aabb{sweep.center_start, sweep.center_start}, Aabb{sweep.center_end, sweep.center_end});
-    for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    for (const std::uint32_t s : shapes_of(bodies, shapes, body))
     {
         ShapeBounds& bounds = shapes.bounds[s];
         const Aabb start = bounds.tight;
@@ -76,7 +77,7 @@ void watch_bounds(const BodyMotion& motion, const BodyStore& bodies, ShapeStore&
 {
     const Transform& transform = bodies.poses[motion.slot].transform;
     const Vec2 next_way = dt * motion.v;
-    for (std::uint32_t s = bodies.records[motion.slot].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    for (const std::uint32_t s : shapes_of(bodies, shapes, motion.slot))
     {
         ShapeBounds& bounds = shapes.bounds[s];
         bounds.tight = bounds_of(shapes.geometry[s], transform);
@@ -93,7 +94,7 @@ void watch_bounds(const BodyMotion& motion, const BodyStore& bodies, ShapeStore&
 void refresh_bounds(std::uint32_t body, const BodyStore& bodies, ShapeStore& shapes, BroadPhase& broad_phase, Vec2 way)
 {
     const Transform& transform = bodies.poses[body].transform;
-    for (std::uint32_t s = bodies.records[body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+    for (const std::uint32_t s : shapes_of(bodies, shapes, body))
     {
         ShapeBounds& bounds = shapes.bounds[s];
         bounds.tight = bounds_of(shapes.geometry[s], transform);

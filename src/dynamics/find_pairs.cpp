@@ -1,7 +1,9 @@
 // The cheap reasons against a pair come first; the set of known pairs is asked last.
 #include "dynamics/find_pairs.hpp"
 
+#include "dynamics/ids.hpp"
 #include "dynamics/mix_materials.hpp"
+#include "dynamics/walks.hpp"
 
 #include <algorithm>
 #include <span>
@@ -16,11 +18,8 @@ namespace
 bool are_held_apart(const BodyStore& bodies, const JointStore& joints, std::uint32_t a, std::uint32_t b)
 {
     if (bodies.records[b].first_joint == null_index) return false;
-    for (std::uint32_t edge = bodies.records[a].first_joint; edge != null_index; edge = joints.joints[edge / 2].next[edge % 2])
-    {
-        const Joint& joint = joints.joints[edge / 2];
-        if (!joint.collide_connected && (edge % 2 == 0 ? joint.body_b : joint.body_a) == b) return true;
-    }
+    for (const Tie joint : joints_of(bodies, joints, a))
+        if (joint.other == b && !joints.joints[joint.slot].collide_connected) return true;
     return false;
 }
 
@@ -126,8 +125,8 @@ PairSearch find_pairs(BroadPhase& broad_phase, ShapeStore& shapes, BodyStore& bo
     std::sort(found.begin(), found.end());
     if (rules.hooks != nullptr) // in the order of the shapes
     {
-        const auto id_of = [&](ProxyIndex shape) { return ShapeId{shape, shapes.slots.generation(shape), rules.world}; };
-        const auto is_refused = [&](ProxyPair pair) { return !rules.hooks->should_collide(id_of(pair.a), id_of(pair.b)); };
+        const auto id = [&](ProxyIndex shape) { return id_of<ShapeId>(shapes, shape, rules.world); };
+        const auto is_refused = [&](ProxyPair pair) { return !rules.hooks->should_collide(id(pair.a), id(pair.b)); };
         std::size_t kept = 0; // std::remove_if may call in any order
         for (const ProxyPair pair : found)
             if (!is_refused(pair)) found[kept++] = pair;

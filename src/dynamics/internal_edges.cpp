@@ -11,6 +11,7 @@
 // the floor at a seam is pushed up, not apart, and a ball over a gap of some millimetres rolls on as if it were not there.
 #include "dynamics/internal_edges.hpp"
 
+#include "dynamics/walks.hpp"
 #include "geometry/surface.hpp"
 
 #include <algorithm>
@@ -99,8 +100,7 @@ void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const 
     if (bodies.is_dynamic(roles.tile_body) && bodies.records[roles.tile_body].shape_count <= few)
     {
         const Filter& filter = shapes.records[roles.slider].filter;
-        std::uint32_t shape = bodies.records[roles.tile_body].first_shape;
-        for (; shape != null_index; shape = shapes.records[shape].next_of_body)
+        for (const std::uint32_t shape : shapes_of(bodies, shapes, roles.tile_body))
         {
             const ShapeRecord& record = shapes.records[shape];
             if (shape != roles.tile && !record.is_sensor && should_collide(record.filter, filter)) action(shape, roles.tile_body);
@@ -110,11 +110,9 @@ void for_each_neighbor(const BodyStore& bodies, const ShapeStore& shapes, const 
     const ShapeRecord& tile = shapes.records[roles.tile];
     for (const std::uint32_t linked : {tile.previous_in_chain, tile.next_in_chain})
         if (linked != null_index) action(linked, roles.tile_body);
-    std::uint32_t next = null_index;
-    for (std::uint32_t edge = shorter_list(bodies, contacts, roles); edge != null_index; edge = next)
+    for (const Tie tie : ties_from(contacts.contacts, shorter_list(bodies, contacts, roles)))
     {
-        const Contact& contact = contacts.contacts[edge / 2];
-        next = contact.next[edge % 2];
+        const Contact& contact = contacts.contacts[tie.slot];
         const bool slider_is_a = contact.shape_a == roles.slider;
         if (contact.is_sensor || (!slider_is_a && contact.shape_b != roles.slider)) continue;
         const std::uint32_t other = slider_is_a ? contact.shape_b : contact.shape_a;

@@ -1,6 +1,7 @@
 // Lists of bodies that are merged, cut and taken apart.
 #include "dynamics/island_store.hpp"
 
+#include "dynamics/walks.hpp"
 #include "memory/make_room.hpp"
 
 #include <utility>
@@ -148,19 +149,12 @@ void IslandStore::split(std::uint32_t island, BodyStore& bodies, const ContactSt
         {
             const std::uint32_t body = stack_.back();
             stack_.pop_back();
-            for (std::uint32_t edge = bodies.records[body].first_contact; edge != null_index;
-                 edge = contacts.contacts[edge / 2].next[edge % 2])
-            {
-                const Contact& contact = contacts.contacts[edge / 2];
-                const std::uint32_t other = edge % 2 == 0 ? contact.body_b : contact.body_a;
-                if (contact.color != no_color && bodies.records[other].island == island) reach(other, to);
-            }
-            for (std::uint32_t edge = bodies.records[body].first_joint; edge != null_index; edge = joints.joints[edge / 2].next[edge % 2])
-            {
-                const Joint& joint = joints.joints[edge / 2];
-                const std::uint32_t other = edge % 2 == 0 ? joint.body_b : joint.body_a;
-                if (joint.is_active() && other != null_index && bodies.records[other].island == island) reach(other, to);
-            }
+            for (const Tie contact : contacts_of(bodies, contacts, body))
+                if (contacts.contacts[contact.slot].color != no_color && bodies.records[contact.other].island == island)
+                    reach(contact.other, to);
+            for (const Tie joint : joints_of(bodies, joints, body))
+                if (joint.other != null_index && joints.joints[joint.slot].is_active() && bodies.records[joint.other].island == island)
+                    reach(joint.other, to);
         }
     }
     destroy(island);

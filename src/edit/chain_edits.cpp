@@ -1,6 +1,7 @@
 // A chain is its segments, each a shape, and the links between them.
 #include "edit/chain_edits.hpp"
 
+#include "dynamics/walks.hpp"
 #include "edit/edits.hpp"
 #include "edit/wake.hpp"
 #include "math/usage_error.hpp"
@@ -78,13 +79,11 @@ void destroy_chain(WorldState& world, std::uint32_t chain)
 {
     const ChainRecord& record = world.chains.records[chain];
     wake_with_neighbors(world, record.body);
-    for (std::uint32_t edge = world.bodies.records[record.body].first_contact; edge != null_index;)
+    for (const Tie tie : contacts_of(world.bodies, world.contacts, record.body))
     {
-        const Contact& contact = world.contacts.contacts[edge / 2];
-        const std::uint32_t next = contact.next[edge % 2];
+        const Contact& contact = world.contacts.contacts[tie.slot];
         if (world.shapes.records[contact.shape_a].chain == chain || world.shapes.records[contact.shape_b].chain == chain)
-            destroy_contact(world, edge / 2);
-        edge = next;
+            destroy_contact(world, tie.slot);
     }
     const std::uint32_t first = record.first_shape;
     const std::uint32_t before = world.shapes.records[first].previous_in_chain;

@@ -4,13 +4,13 @@
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/mix_materials.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/wake.hpp"
 #include "geometry/bounds.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/mass.hpp"
 #include "memory/make_room.hpp"
 #include "solver/rows/graph_colors.hpp"
-#include "state/walks.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -43,18 +43,6 @@ void remove_proxy(WorldState& world, std::uint32_t shape)
 {
     world.broad_phase->remove(shape);
     world.shapes.unmark_moved(shape);
-}
-
-template <class Action>
-void for_each_shape(const WorldState& world, std::uint32_t body, Action&& action)
-{
-    std::uint32_t shape = world.bodies.records[body].first_shape;
-    while (shape != null_index)
-    {
-        const std::uint32_t next = world.shapes.records[shape].next_of_body;
-        action(shape);
-        shape = next;
-    }
 }
 
 void link_shape(WorldState& world, std::uint32_t body, std::uint32_t shape)
@@ -147,8 +135,8 @@ std::uint32_t create_shape(WorldState& world, std::uint32_t body, const Geometry
 
     link_shape(world, body, shape);
     if (world.bodies.records[body].shape_count == 2) // it is no longer alone
-        for_each_contact(world.bodies, world.contacts, body, [&](std::uint32_t contact, std::uint32_t)
-        { world.contacts.contacts[contact].neighborhood = Neighborhood::Unknown; });
+        for (const Tie contact : contacts_of(world.bodies, world.contacts, body))
+            world.contacts.contacts[contact.slot].neighborhood = Neighborhood::Unknown;
     MassData& mass = world.bodies.records[body].shapes_mass;
     mass = combined(mass, mass_from(stored, def.density));
     wake_body(world, body);
@@ -180,13 +168,13 @@ void destroy_body(WorldState& world, std::uint32_t body)
     while (world.bodies.records[body].first_joint != null_index) destroy_joint(world, world.bodies.records[body].first_joint / 2);
     destroy_contacts_of_body(world, body);
     const bool has_proxies = world.bodies.records[body].is_enabled;
-    for_each_shape(world, body, [&](std::uint32_t shape)
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body))
     {
         if (has_proxies) remove_proxy(world, shape);
         const std::uint32_t chain = world.shapes.records[shape].chain;
         if (chain != null_index && world.chains.records[chain].first_shape == shape) world.chains.destroy(chain);
         world.shapes.destroy(shape);
-    });
+    }
     if (world.bodies.records[body].island != null_index) world.islands.remove(body, world.bodies);
     world.bodies.destroy(body);
 }
@@ -273,7 +261,8 @@ void set_body_type(WorldState& world, std::uint32_t body, BodyType type)
     refresh_mass(world, body);
     refresh_island(world.bodies, world.islands, body);
     refresh_joints_of_body(world, body);
-    if (world.bodies.records[body].is_enabled) for_each_shape(world, body, [&](std::uint32_t shape) { renew_proxy(world, shape); });
+    if (world.bodies.records[body].is_enabled)
+        for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body)) renew_proxy(world, shape);
 }
 
 void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
@@ -286,7 +275,8 @@ void set_body_enabled(WorldState& world, std::uint32_t body, bool is_enabled)
     world.bodies.refresh(body);
     refresh_island(world.bodies, world.islands, body);
     refresh_joints_of_body(world, body);
-    for_each_shape(world, body, [&](std::uint32_t shape) { is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape); });
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body))
+        is_enabled ? insert_proxy(world, shape) : remove_proxy(world, shape);
 }
 
 void set_body_transform(WorldState& world, std::uint32_t body, const Transform& transform)
@@ -294,19 +284,19 @@ void set_body_transform(WorldState& world, std::uint32_t body, const Transform& 
     wake_with_neighbors(world, body);
     review_contacts(world, body);
     world.bodies.set_transform(body, transform);
-    for_each_shape(world, body, [&](std::uint32_t shape) { world.shapes.records[shape].placed_at = world.step_count; });
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body)) world.shapes.records[shape].placed_at = world.step_count;
     if (world.bodies.records[body].is_enabled)
         refresh_bounds(body, world.bodies, world.shapes, *world.broad_phase, {});
     else
-        for_each_shape(world, body, [&](std::uint32_t shape)
-        { world.shapes.bounds[shape].tight = detail::bounds_of(world.shapes.geometry[shape], transform); });
+        for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body))
+            world.shapes.bounds[shape].tight = detail::bounds_of(world.shapes.geometry[shape], transform);
 }
 
 void refresh_mass(WorldState& world, std::uint32_t body)
 {
     MassData sum;
-    for_each_shape(world, body, [&](std::uint32_t shape)
-    { sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density)); });
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body))
+        sum = combined(sum, mass_from(world.shapes.geometry[shape], world.shapes.records[shape].density));
     world.bodies.records[body].shapes_mass = sum;
     world.bodies.refresh_mass(body);
     refresh_extent(world, body);
@@ -318,12 +308,12 @@ void refresh_extent(WorldState& world, std::uint32_t body)
     if (record.type == BodyType::Static) return; // nobody asks, and a ground may have many shapes
     record.inner_radius = record.first_shape == null_index ? 0 : std::numeric_limits<float>::max();
     record.outer_radius = 0;
-    for_each_shape(world, body, [&](std::uint32_t shape)
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body))
     {
         record.inner_radius = std::min(record.inner_radius, inner_radius(world.shapes.geometry[shape]));
         record.outer_radius =
             std::max(record.outer_radius, outer_radius(world.shapes.geometry[shape], world.bodies.poses[body].local_center));
-    });
+    }
     world.bodies.refresh(body);
 }
 

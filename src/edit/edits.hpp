@@ -1,6 +1,7 @@
 // Changes to a world between steps. The arguments are checked already; see validate.hpp.
 #pragma once
 
+#include "dynamics/walks.hpp"
 #include "memory/rollback.hpp"
 #include "state/world_state.hpp"
 
@@ -43,13 +44,10 @@ void retire_joints_of_body(const BodyStore& bodies, JointStore& joints, std::uin
 template <class Action>
 void for_each_contact_of_shape(const WorldState& world, std::uint32_t shape, Action&& action)
 {
-    std::uint32_t edge = world.bodies.records[world.shapes.records[shape].body].first_contact;
-    while (edge != null_index)
+    for (const Tie tie : contacts_of(world.bodies, world.contacts, world.shapes.records[shape].body))
     {
-        const Contact& contact = world.contacts.contacts[edge / 2];
-        const std::uint32_t next = contact.next[edge % 2];
-        if (contact.shape_a == shape || contact.shape_b == shape) action(edge / 2);
-        edge = next;
+        const Contact& contact = world.contacts.contacts[tie.slot];
+        if (contact.shape_a == shape || contact.shape_b == shape) action(tie.slot);
     }
 }
 

@@ -1,6 +1,8 @@
 // Joints come and go: in the store, in the solver's colours, and in what their bodies may touch.
 #include "edit/edits.hpp"
 
+#include "dynamics/ids.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/wake.hpp"
 #include "memory/make_room.hpp"
 
@@ -37,36 +39,18 @@ void refresh_joint(const WakeGraph& graph, std::uint32_t slot)
     if (are_dynamic) graph.islands.link(joint.body_a, joint.body_b, graph.bodies);
 }
 
-template <class Action>
-void for_each_joint(const BodyStore& bodies, const JointStore& joints, std::uint32_t body, Action&& action)
-{
-    for (std::uint32_t edge = bodies.records[body].first_joint; edge != null_index;)
-    {
-        const std::uint32_t next = joints.joints[edge / 2].next[edge % 2];
-        action(edge / 2);
-        edge = next;
-    }
-}
-
 /// Ends what two bodies do to each other; sensors stay.
 void destroy_contacts_between(WorldState& world, std::uint32_t a, std::uint32_t b)
 {
-    std::uint32_t edge = world.bodies.records[b].first_contact;
-    while (edge != null_index)
-    {
-        const Contact& contact = world.contacts.contacts[edge / 2];
-        const std::uint32_t next = contact.next[edge % 2];
-        if (!contact.is_sensor && (edge % 2 == 0 ? contact.body_b : contact.body_a) == a) destroy_contact(world, edge / 2);
-        edge = next;
-    }
+    for (const Tie contact : contacts_of(world.bodies, world.contacts, b))
+        if (contact.other == a && !world.contacts.contacts[contact.slot].is_sensor) destroy_contact(world, contact.slot);
 }
 
 /// Looks for pairs of a body's shapes anew in the next step.
 void seek_pairs(WorldState& world, std::uint32_t body)
 {
     if (!world.bodies.records[body].is_enabled) return;
-    for (std::uint32_t s = world.bodies.records[body].first_shape; s != null_index; s = world.shapes.records[s].next_of_body)
-        world.shapes.mark_changed(s);
+    for (const std::uint32_t shape : shapes_of(world.bodies, world.shapes, body)) world.shapes.mark_changed(shape);
     world.must_review = true;
 }
 
@@ -79,10 +63,10 @@ void apply_collide_connected(WorldState& world, const Joint& joint)
         destroy_contacts_between(world, joint.body_a, joint.body_b);
 }
 
-BodyId id_of(const WorldState& world, std::uint32_t body)
+/// Null for the world itself.
+BodyId joined_body(const WorldState& world, std::uint32_t body)
 {
-    if (body == null_index) return {};
-    return {body, world.bodies.slots.generation(body), world.world};
+    return body == null_index ? BodyId{} : id_of<BodyId>(world.bodies, body, world.world);
 }
 
 } // namespace
@@ -131,9 +115,9 @@ void destroy_joint(WorldState& world, std::uint32_t slot)
 void note_break(WorldState& world, std::uint32_t slot)
 {
     const Joint& joint = world.joints.joints[slot];
-    world.events.joint_break.push_back({.joint = {slot, world.joints.slots.generation(slot), world.world},
-                                        .body_a = id_of(world, joint.body_a),
-                                        .body_b = id_of(world, joint.body_b),
+    world.events.joint_break.push_back({.joint = id_of<JointId>(world.joints, slot, world.world),
+                                        .body_a = joined_body(world, joint.body_a),
+                                        .body_b = joined_body(world, joint.body_b),
                                         .force = length(joint.force),
                                         .torque = joint.torque < 0 ? -joint.torque : joint.torque,
                                         .user_data = joint.user_data});
@@ -150,12 +134,12 @@ void set_collide_connected(WorldState& world, std::uint32_t slot, bool collide_c
 
 void refresh_joints_of_body(const WakeGraph& graph, std::uint32_t body)
 {
-    for_each_joint(graph.bodies, graph.joints, body, [&](std::uint32_t joint) { refresh_joint(graph, joint); });
+    for (const Tie joint : joints_of(graph.bodies, graph.joints, body)) refresh_joint(graph, joint.slot);
 }
 
 void retire_joints_of_body(const BodyStore& bodies, JointStore& joints, std::uint32_t body)
 {
-    for_each_joint(bodies, joints, body, [&](std::uint32_t joint) { retire_joint(joints, joint); });
+    for (const Tie joint : joints_of(bodies, joints, body)) retire_joint(joints, joint.slot);
 }
 
 } // namespace carom::detail

@@ -1,9 +1,9 @@
 // Waking and putting to sleep, whoever asks for it: an edit, or the stage of a step.
 #include "edit/wake.hpp"
 
+#include "dynamics/walks.hpp"
 #include "edit/edits.hpp"
 #include "solver/rows/graph_colors.hpp"
-#include "state/walks.hpp"
 
 namespace carom::detail
 {
@@ -17,7 +17,7 @@ void activate(const WakeGraph& graph, std::uint32_t body)
     record.is_asleep = false;
     graph.bodies.refresh(body);
     graph.bodies.watches[graph.bodies.motion_index[body]].has_woken = true;
-    for_each_contact(graph.bodies, graph.contacts, body, [&](std::uint32_t contact, std::uint32_t) { graph.contacts.wake(contact); });
+    for (const Tie contact : contacts_of(graph.bodies, graph.contacts, body)) graph.contacts.wake(contact.slot);
 }
 
 /// The body's contacts leave the solver, and with the last active body the list of those that are looked at.
@@ -28,20 +28,20 @@ void deactivate(const WakeGraph& graph, std::uint32_t body)
     graph.bodies.set_spin(body, 0);
     record.is_asleep = true;
     graph.bodies.refresh(body);
-    for_each_contact(graph.bodies, graph.contacts, body, [&](std::uint32_t contact, std::uint32_t other)
+    for (const Tie contact : contacts_of(graph.bodies, graph.contacts, body))
     {
-        if (graph.bodies.is_active(other)) return;
-        take_color(contact, graph.contacts, graph.bodies);
-        graph.contacts.put_to_sleep(contact);
-    });
+        if (graph.bodies.is_active(contact.other)) continue;
+        take_color(contact.slot, graph.contacts, graph.bodies);
+        graph.contacts.put_to_sleep(contact.slot);
+    }
 }
 
 void wake_island(const WakeGraph& graph, std::uint32_t island)
 {
     if (graph.islands.is_awake(island)) return;
     graph.islands.mark_awake(island);
-    for_each_of_island(graph.bodies, graph.islands, island, [&](std::uint32_t body) { activate(graph, body); });
-    for_each_of_island(graph.bodies, graph.islands, island, [&](std::uint32_t body) { refresh_joints_of_body(graph, body); });
+    for (const std::uint32_t body : bodies_of(graph.bodies, graph.islands, island)) activate(graph, body);
+    for (const std::uint32_t body : bodies_of(graph.bodies, graph.islands, island)) refresh_joints_of_body(graph, body);
 }
 
 /// Whether the body disturbs whom it touches: a kinematic one that stands still is about to sleep, and counts as ground.
@@ -63,8 +63,8 @@ void put_island_to_sleep(const WakeGraph& graph, std::uint32_t island)
 {
     if (!graph.islands.is_awake(island)) return;
     graph.islands.mark_asleep(island);
-    for_each_of_island(graph.bodies, graph.islands, island, [&](std::uint32_t body) { deactivate(graph, body); });
-    for_each_of_island(graph.bodies, graph.islands, island, [&](std::uint32_t body) { refresh_joints_of_body(graph, body); });
+    for (const std::uint32_t body : bodies_of(graph.bodies, graph.islands, island)) deactivate(graph, body);
+    for (const std::uint32_t body : bodies_of(graph.bodies, graph.islands, island)) refresh_joints_of_body(graph, body);
 }
 
 bool is_push(const ContactStore& contacts, std::uint32_t contact)
@@ -95,8 +95,8 @@ void put_body_to_sleep(const WakeGraph& graph, std::uint32_t body, std::uint64_t
     const BodyRecord& record = graph.bodies.records[body];
     if (record.island != null_index)
     {
-        for_each_of_island(graph.bodies, graph.islands, record.island,
-                           [&](std::uint32_t each) { graph.bodies.records[each].put_to_sleep_at = step_count; });
+        for (const std::uint32_t each : bodies_of(graph.bodies, graph.islands, record.island))
+            graph.bodies.records[each].put_to_sleep_at = step_count;
         return put_island_to_sleep(graph, record.island);
     }
     if (!graph.bodies.is_active(body)) return;
@@ -118,8 +118,8 @@ void wake_all(const WakeGraph& graph)
     {
         if (!graph.islands.is_live(island)) continue;
         wake_island(graph, island);
-        for_each_of_island(graph.bodies, graph.islands, island,
-                           [&](std::uint32_t body) { graph.bodies.watches[graph.bodies.motion_index[body]].rest_time = 0; });
+        for (const std::uint32_t body : bodies_of(graph.bodies, graph.islands, island))
+            graph.bodies.watches[graph.bodies.motion_index[body]].rest_time = 0;
     }
 }
 
@@ -128,16 +128,15 @@ void wake_with_neighbors(const WakeGraph& graph, std::uint32_t body)
     const bool was_awake = graph.bodies.is_active(body) && graph.bodies.records[body].island != null_index;
     wake_body(graph, body);
     if (was_awake) return; // and so was its island
-    for_each_contact(graph.bodies, graph.contacts, body, [&](std::uint32_t contact, std::uint32_t other)
-    {
-        if (is_push(graph.contacts, contact)) wake_body(graph, other);
-    });
-    for_each_joined(graph.bodies, graph.joints, body, [&](std::uint32_t other) { wake_body(graph, other); });
+    for (const Tie contact : contacts_of(graph.bodies, graph.contacts, body))
+        if (is_push(graph.contacts, contact.slot)) wake_body(graph, contact.other);
+    for (const Tie joint : joints_of(graph.bodies, graph.joints, body))
+        if (joint.other != null_index) wake_body(graph, joint.other);
 }
 
 void review_contacts(WorldState& world, std::uint32_t body)
 {
-    for_each_contact(world.bodies, world.contacts, body, [&](std::uint32_t contact, std::uint32_t) { world.contacts.wake(contact); });
+    for (const Tie contact : contacts_of(world.bodies, world.contacts, body)) world.contacts.wake(contact.slot);
     world.must_review = true;
 }
 

@@ -2,7 +2,7 @@
 #include "step/check_state.hpp"
 
 #include "dynamics/neighborhood.hpp"
-#include "state/walks.hpp"
+#include "dynamics/walks.hpp"
 
 #include <span>
 
@@ -110,8 +110,8 @@ private:
     std::uint32_t ground_contacts(std::uint32_t body) const
     {
         std::uint32_t count = 0;
-        for_each_contact(bodies_, contacts_, body, [&](std::uint32_t contact, std::uint32_t other)
-        { count += !contacts_.contacts[contact].is_sensor && !bodies_.is_dynamic(other); });
+        for (const Tie contact : contacts_of(bodies_, contacts_, body))
+            count += !contacts_.contacts[contact.slot].is_sensor && !bodies_.is_dynamic(contact.other);
         return count;
     }
 

@@ -1,6 +1,7 @@
 // Tells which contacts and overlaps began, went on and ended.
 #include "state/event_buffers.hpp"
 
+#include "dynamics/ids.hpp"
 #include "geometry/manifold.hpp"
 #include "memory/fetch_lines.hpp"
 
@@ -120,10 +121,7 @@ void sort_sensors(std::pmr::vector<SensorEvent>& list)
 
 } // namespace
 
-ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world)
-{
-    return {.index = slot, .generation = shapes.slots.generation(slot), .world = world};
-}
+ShapeId shape_id(const ShapeStore& shapes, std::uint32_t slot, std::uint32_t world) { return id_of<ShapeId>(shapes, slot, world); }
 
 Manifold public_manifold(const ContactManifold& manifold, const ContactResult& stored)
 {

@@ -1,8 +1,9 @@
 // Which islands have come to rest.
 #include "step/sleep.hpp"
 
+#include "dynamics/ids.hpp"
+#include "dynamics/walks.hpp"
 #include "edit/wake.hpp"
-#include "state/walks.hpp"
 
 #include <algorithm>
 
@@ -19,14 +20,11 @@ void disturb_neighbors(const WakeGraph& graph, std::uint32_t body)
     {
         if (const std::uint32_t island = graph.bodies.records[other].island; island != null_index) graph.islands[island].is_restless = true;
     };
-    for_each_contact(graph.bodies, graph.contacts, body, [&](std::uint32_t contact, std::uint32_t other)
-    {
-        if (is_push(graph.contacts, contact)) disturb(other);
-    });
-    for_each_joined(graph.bodies, graph.joints, body, disturb);
+    for (const Tie contact : contacts_of(graph.bodies, graph.contacts, body))
+        if (is_push(graph.contacts, contact.slot)) disturb(contact.other);
+    for (const Tie joint : joints_of(graph.bodies, graph.joints, body))
+        if (joint.other != null_index) disturb(joint.other);
 }
-
-BodyId id_of(const BodyStore& bodies, std::uint32_t body, std::uint32_t world) { return {body, bodies.slots.generation(body), world}; }
 
 /// Kinematic bodies that stand still go at once; the others disturb their neighbours.
 void visit_kinematic_bodies(const WakeGraph& graph, EventBuffers& events, const SleepMoment& now)
@@ -41,7 +39,7 @@ void visit_kinematic_bodies(const WakeGraph& graph, EventBuffers& events, const 
             continue;
         }
         put_body_to_sleep(graph, body, now.step_count);
-        events.fell_asleep.push_back(id_of(graph.bodies, body, now.world));
+        events.fell_asleep.push_back(id_of<BodyId>(graph.bodies, body, now.world));
     }
 }
 
@@ -59,7 +57,7 @@ void note_woken(BodyStore& bodies, EventBuffers& events, std::uint32_t world)
         BodyWatch& watch = bodies.watches[i];
         if (!watch.has_woken) continue;
         watch.has_woken = false;
-        events.woke.push_back(id_of(bodies, bodies.motions[i].slot, world));
+        events.woke.push_back(id_of<BodyId>(bodies, bodies.motions[i].slot, world));
     }
     std::sort(events.woke.begin(), events.woke.end());
 }
@@ -120,8 +118,8 @@ void put_islands_to_sleep(const WakeGraph& graph, EventBuffers& events, const Sl
             continue;
         }
         put_island_to_sleep(graph, island);
-        for_each_of_island(bodies, islands, island,
-                           [&](std::uint32_t body) { events.fell_asleep.push_back(id_of(bodies, body, now.world)); });
+        for (const std::uint32_t body : bodies_of(bodies, islands, island))
+            events.fell_asleep.push_back(id_of<BodyId>(bodies, body, now.world));
     }
     std::sort(events.fell_asleep.begin(), events.fell_asleep.end());
 }

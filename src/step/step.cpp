@@ -3,6 +3,7 @@
 
 #include "dynamics/finalize_bodies.hpp"
 #include "dynamics/find_pairs.hpp"
+#include "dynamics/ids.hpp"
 #include "edit/edits.hpp"
 #include "fields/isa/pull_passes.hpp"
 #include "math/usage_error.hpp"
@@ -32,7 +33,7 @@ void put_aside(WorldState& world, std::span<const LostBody> lost)
     for (const auto& [body, reason] : lost)
     {
         set_body_enabled(world, body, false);
-        world.quarantined.push_back({body, world.bodies.slots.generation(body), world.world});
+        world.quarantined.push_back(id_of<BodyId>(world.bodies, body, world.world));
         world.quarantine_reasons.push_back(reason);
     }
 }

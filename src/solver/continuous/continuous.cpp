@@ -1,6 +1,7 @@
 // Continuous collision from the fast bodies of a step to the places where they end.
 #include "solver/continuous/continuous.hpp"
 
+#include "dynamics/walks.hpp"
 #include "geometry/bounds.hpp"
 
 namespace carom::detail
@@ -70,7 +71,7 @@ void ContinuousCollision::add_movers(std::span<const FastBody> fast, const Surro
                            .is_held = is_held,
                            .is_bullet = record.is_bullet,
                            .is_fast = true});
-        for (std::uint32_t s = record.first_shape; s != null_index; s = shapes.records[s].next_of_body)
+        for (const std::uint32_t s : shapes_of(near.bodies, near.shapes, body.body))
         {
             way_of_shape_[s] = static_cast<std::uint32_t>(ways_.size());
             ways_.push_back({.path = path_of(shapes.extents[s], body.sweep),
@@ -123,7 +124,7 @@ void ContinuousCollision::place_bodies(BodyStore& bodies, ShapeStore& shapes, Br
             }
         }
         const Vec2 ahead = dt * bodies.velocity(mover.body);
-        for (std::uint32_t s = bodies.records[mover.body].first_shape; s != null_index; s = shapes.records[s].next_of_body)
+        for (const std::uint32_t s : shapes_of(bodies, shapes, mover.body))
         {
             ShapeBounds& bounds = shapes.bounds[s];
             if (has_moved) bounds.tight = bounds_of(shapes.geometry[s], bodies.poses[mover.body].transform);

@@ -24,6 +24,7 @@
 #include "dynamics/find_pairs.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "dynamics/walks.hpp"
 #include "geometry/time_of_impact.hpp"
 #include "solver/continuous/swept_path.hpp"
 
@@ -203,8 +204,7 @@ template <class Action>
 void ContinuousCollision::for_each_pair(std::uint32_t mover, const Surroundings& near, BroadPhase& broad_phase, Action&& action)
 {
     const Mover& m = movers_[mover];
-    std::uint32_t shape = near.bodies.records[m.body].first_shape;
-    for (; shape != null_index; shape = near.shapes.records[shape].next_of_body)
+    for (const std::uint32_t shape : shapes_of(near.bodies, near.shapes, m.body))
     {
         const Aabb& bounds = near.shapes.bounds[shape].fat;
         list_near(bounds, broad_phase);

@@ -1,7 +1,9 @@
 // When two shapes begin to pass through each other, and what follows from it: impacts in the order of their times.
 #include "solver/continuous/continuous.hpp"
 
+#include "dynamics/ids.hpp"
 #include "dynamics/one_sided.hpp"
+#include "dynamics/walks.hpp"
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 #include "solver/continuous/stays_apart.hpp"
@@ -28,10 +30,9 @@ Vec2 way_of_center(const Sweep& way) { return way.center_end - way.center_start;
 /// The contact of two shapes, looked for among those of one's body; null when there is none.
 const Contact* find_contact(const BodyStore& bodies, const ContactStore& contacts, std::uint32_t body, std::uint32_t a, std::uint32_t b)
 {
-    std::uint32_t edge = bodies.records[body].first_contact;
-    for (; edge != null_index; edge = contacts.contacts[edge / 2].next[edge % 2])
+    for (const Tie tie : contacts_of(bodies, contacts, body))
     {
-        const Contact& contact = contacts.contacts[edge / 2];
+        const Contact& contact = contacts.contacts[tie.slot];
         if (contact.shape_a == std::min(a, b) && contact.shape_b == std::max(a, b)) return &contact;
     }
     return nullptr;
@@ -62,9 +63,9 @@ bool ContinuousCollision::hook_refuses(const Pair& pair, const Surroundings& nea
     const auto is_it = [&](const std::pair<PairKey, bool>& said) { return said.first == pair.key; };
     const auto said = std::find_if(refusals_.begin(), refusals_.end(), is_it);
     if (said != refusals_.end()) return said->second;
-    const auto id_of = [&](std::uint32_t s) { return ShapeId{s, near.shapes.slots.generation(s), near.rules.world}; };
+    const auto id = [&](std::uint32_t s) { return id_of<ShapeId>(near.shapes, s, near.rules.world); };
     const auto [first, second] = std::minmax(pair.shape_a, pair.shape_b);
-    const bool is_refused = !near.rules.hooks->should_collide(id_of(first), id_of(second));
+    const bool is_refused = !near.rules.hooks->should_collide(id(first), id(second));
     refusals_.emplace_back(pair.key, is_refused);
     return is_refused;
 }
@@ -233,11 +234,8 @@ void ContinuousCollision::stop(std::uint32_t index, float time, const Surroundin
     if (!movers_[index].is_held) return;
     for (std::size_t i = first; i < changed_.size() && changed_.size() - first < most; ++i)
     {
-        std::uint32_t edge = near.bodies.records[movers_[changed_[i]].body].first_joint;
-        for (; edge != null_index; edge = near.joints.joints[edge / 2].next[edge % 2])
+        for (const auto [joint, other] : joints_of(near.bodies, near.joints, movers_[changed_[i]].body))
         {
-            const Joint& joint = near.joints.joints[edge / 2];
-            const std::uint32_t other = edge % 2 == 0 ? joint.body_b : joint.body_a;
             if (other == null_index || !near.bodies.is_dynamic(other) || near.bodies.motion_index[other] == 0) continue;
             const std::uint32_t mover = mover_of(other, last_key, near);
             if (!movers_[mover].is_stopped) stop_one(mover);
@@ -253,8 +251,7 @@ void ContinuousCollision::follow(std::uint32_t index, std::uint32_t carrier, flo
     go_on(index, time, left, lead.at(1) * inverse_transform(lead.at(0), left.center_start), lead.turn);
 
     const Sweep way = movers_[index].sweep;
-    for (std::uint32_t shape = near.bodies.records[movers_[index].body].first_shape; shape != null_index;
-         shape = near.shapes.records[shape].next_of_body)
+    for (const std::uint32_t shape : shapes_of(near.bodies, near.shapes, movers_[index].body))
     {
         const SweptPath path = path_of(near.shapes.extents[shape], way);
         const Aabb middle = merge(Aabb{path.from, path.from}, Aabb{path.from + path.way, path.from + path.way});
