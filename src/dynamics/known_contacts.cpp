@@ -4,6 +4,7 @@
 #include "dynamics/neighborhood.hpp"
 #include "dynamics/note_state.hpp"
 #include "dynamics/write_points.hpp"
+#include "memory/floats_of.hpp"
 
 namespace carom::detail
 {
@@ -47,10 +48,10 @@ inline void KnownContacts::write(ContactManifold& manifold, const CollisionMemor
 
 std::uint64_t KnownContacts::update(const BodyStore& bodies, ContactStore& contacts)
 {
-    batch_.poses = &bodies.poses.data()->transform.p.x;
-    batch_.searches = &contacts.memories.data()->made_at.p.x;
+    batch_.poses = floats_of(bodies.poses);
+    batch_.searches = floats_of(contacts.memories);
     batch_.search_stride = sizeof(CollisionMemory) / sizeof(float);
-    batch_.face_pairs = &contacts.face_pairs.data()->a_v1.x;
+    batch_.face_pairs = floats_of(contacts.face_pairs);
     passes_.touch(batch_, results_);
     std::uint64_t updated = 0;
     for (std::size_t i = 0; i < batch_.count; ++i)

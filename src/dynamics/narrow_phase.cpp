@@ -11,6 +11,7 @@
 #include "geometry/extent.hpp"
 #include "geometry/manifold.hpp"
 #include "memory/fetch_lines.hpp"
+#include "memory/floats_of.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -199,7 +200,7 @@ void update_manifolds(const TouchPasses& passes, const BodyStore& bodies, const 
 {
     changes.clear();
     const float margin = shapes.tolerances.speculative_distance;
-    BoundsBatch bounds = {.bounds = &shapes.bounds.data()->tight.min.x, .margin = margin};
+    BoundsBatch bounds = {.bounds = floats_of(shapes.bounds), .margin = margin};
     KnownContacts known(passes, touch_limits(margin, shapes.tolerances), shapes.tolerances.linear_slop);
     for (std::size_t begin = first; begin < contacts.awake.size(); begin += block_size)
     {

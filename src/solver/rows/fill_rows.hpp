@@ -3,6 +3,7 @@
 
 #include "dynamics/body_store.hpp"
 #include "dynamics/contact_store.hpp"
+#include "memory/floats_of.hpp"
 #include "solver/isa/contact_passes.hpp"
 #include "solver/rows/body_lanes.hpp"
 #include "solver/rows/softness.hpp"
@@ -36,11 +37,11 @@ inline SoftnessLanes<float> lanes_of(const Softness& softness) { return {softnes
 inline RowSource source_of(const BodyStore& bodies, const ContactStore& contacts, const ContactConstants& constants,
                            const PassConstants<float>& pass)
 {
-    return {.manifolds = &contacts.manifolds.data()->arms[0].r_a.x,
-            .bodies = &contacts.contacts.data()->body_a,
+    return {.manifolds = floats_of(contacts.manifolds),
+            .bodies = contacts.contacts.empty() ? nullptr : &contacts.contacts.front().body_a,
             .words_per_contact = sizeof(Contact) / sizeof(std::uint32_t),
             .motion_index = bodies.motion_index.data(),
-            .masses = &bodies.masses.data()->inv_mass.x,
+            .masses = floats_of(bodies.masses),
             .motions = floats_of(std::span(bodies.motions)),
             .fill = {constants.warm_scale, whirl * constants.inv_h, lanes_of(constants.between_dynamic), lanes_of(constants.with_static)},
             .pass = pass};
@@ -49,10 +50,10 @@ inline RowSource source_of(const BodyStore& bodies, const ContactStore& contacts
 inline ResultTarget target_of(ContactStore& contacts, std::span<BodyWatch> watches, std::span<const float> is_calm,
                               const StoreConstants<float>& constants)
 {
-    return {.manifolds = &contacts.manifolds.data()->arms[0].r_a.x,
-            .results = &contacts.results.data()->totals[0].normal,
+    return {.manifolds = floats_of(contacts.manifolds),
+            .results = floats_of(contacts.results),
             .is_calm = is_calm.data(),
-            .is_settling = &watches.data()->is_settling,
+            .is_settling = &watches.front().is_settling,
             .watch_bytes = sizeof(BodyWatch),
             .store = constants};
 }
