@@ -18,7 +18,7 @@ struct Picture
     const MidStep* moment = nullptr; ///< null between two steps
 
     bool is_solving() const { return moment && moment->is_solving(); }
-    BodyId body(std::uint32_t slot) const { return slot == null_index ? BodyId{} : id_of<BodyId>(world.bodies, slot, world.world); }
+    BodyId body(std::uint32_t slot) const { return id_or_null<BodyId>(world.bodies, slot, world.world); }
     ShapeId shape(std::uint32_t slot) const { return shape_id(world.shapes, slot, world.world); }
 };
 

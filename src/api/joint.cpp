@@ -25,11 +25,7 @@ namespace
 JointId joint_id(const WorldState& world, std::uint32_t slot) { return detail::id_of<JointId>(world.joints, slot, world.world); }
 
 /// Null for the world itself.
-BodyId joined_body(const WorldState& world, std::uint32_t slot)
-{
-    if (slot == null_index) return {};
-    return detail::id_of<BodyId>(world.bodies, slot, world.world);
-}
+BodyId joined_body(const WorldState& world, std::uint32_t slot) { return detail::id_or_null<BodyId>(world.bodies, slot, world.world); }
 
 const detail::Joint& read(const WorldState& world, JointId id, std::string_view function)
 {

@@ -40,8 +40,7 @@ BodyId ShapeView::body() const
 ChainId ShapeView::chain() const
 {
     const std::uint32_t chain = world_->shapes.records[require_shape(*world_, id_, "chain")].chain;
-    if (chain == detail::null_index) return {};
-    return detail::id_of<ChainId>(world_->chains, chain, world_->world);
+    return detail::id_or_null<ChainId>(world_->chains, chain, world_->world);
 }
 
 const Geometry& ShapeView::geometry() const { return world_->shapes.geometry[require_shape(*world_, id_, "geometry")]; }

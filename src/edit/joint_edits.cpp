@@ -63,12 +63,6 @@ void apply_collide_connected(WorldState& world, const Joint& joint)
         destroy_contacts_between(world, joint.body_a, joint.body_b);
 }
 
-/// Null for the world itself.
-BodyId joined_body(const WorldState& world, std::uint32_t body)
-{
-    return body == null_index ? BodyId{} : id_of<BodyId>(world.bodies, body, world.world);
-}
-
 } // namespace
 
 void wake_ends(const WakeGraph& graph, const Joint& joint)
@@ -116,8 +110,8 @@ void note_break(WorldState& world, std::uint32_t slot)
 {
     const Joint& joint = world.joints.joints[slot];
     world.events.joint_break.push_back({.joint = id_of<JointId>(world.joints, slot, world.world),
-                                        .body_a = joined_body(world, joint.body_a),
-                                        .body_b = joined_body(world, joint.body_b),
+                                        .body_a = id_or_null<BodyId>(world.bodies, joint.body_a, world.world),
+                                        .body_b = id_or_null<BodyId>(world.bodies, joint.body_b, world.world),
                                         .force = length(joint.force),
                                         .torque = joint.torque < 0 ? -joint.torque : joint.torque,
                                         .user_data = joint.user_data});
